@@ -1,0 +1,176 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb {
+
+using Vec3 = Eigen::Vector3d;
+
+/// How strain and curvature are measured.
+enum class StrainModel {
+  /// ε = ½(r'·r' − 1), κ = |r' × r''| / |r'|³ (Gerstmayr and Shabana 2006; Project Chrono).
+  green_geometric,
+  /// ε = |r'| − 1, κ = |r' × r''| / |r'|² (Gerstmayr and Irschik 2008; Exudyn).
+  engineering_material,
+};
+
+/// Which integration points the internal forces use.
+enum class QuadratureRule {
+  /// 5 Gauss points for the axial part (exact for Green strain), 3 for bending.
+  full,
+  /// 3 Lobatto points for the axial part, 2 Gauss points for bending: avoids axial locking of coarse, stiff meshes.
+  reduced,
+};
+
+enum class Support {
+  free,
+  /// Position held.
+  pinned,
+  /// Position and direction held; the length of the slope (the axial stretch) stays free.
+  clamped,
+};
+
+/// Rates of the slopes at the start.
+enum class SlopeRates {
+  /// ω × r', as a rigid rotation has it.
+  rigid,
+  /// 0, as the published series was computed: the nodes turn, the slopes do not yet.
+  zero,
+};
+
+/// The cable as a continuum and its mesh. All lengths and areas are those of the undeformed cable.
+struct CableSpec {
+  double length = 0;          ///< L, m, > 0
+  double area = 0;            ///< A, m², > 0
+  double density = 0;         ///< ρ, kg/m³, > 0
+  double youngs_modulus = 0;  ///< E, Pa, > 0
+  double second_moment = 0;   ///< I, m⁴, ≥ 0; of a circular section, A²/4π, unless given
+  int elements = 0;           ///< ≥ 1, of equal length
+  StrainModel strain = StrainModel::green_geometric;
+  QuadratureRule quadrature = QuadratureRule::full;
+};
+
+/// The cable starts straight and unstretched, with its first end at the origin.
+struct StartSpec {
+  Vec3 direction{1, 0, 0};         ///< of the straight cable; a unit vector once read
+  Vec3 angular_velocity{0, 0, 0};  ///< ω about the first end, rad/s
+  SlopeRates slope_rates = SlopeRates::rigid;
+};
+
+struct SupportsSpec {
+  Support first = Support::free;
+  Support last = Support::free;
+};
+
+struct LoadsSpec {
+  Vec3 gravity{0, 0, 0};  ///< m/s²
+};
+
+/// A method by name with what it was given. Which of these a method takes is said by its MethodInfo.
+struct MethodSpec {
+  std::string name;
+  std::optional<double> step;                ///< h, s, > 0; fixed-step methods
+  std::optional<double> rtol;                ///< relative tolerance, in (0, 1); error-controlled methods
+  std::optional<double> atol;                ///< absolute tolerance (m, m/s, 1, 1/s alike), > 0
+  std::map<std::string, double> parameters;  ///< the method's own, all set: given ones and defaults
+
+  friend bool operator==(const MethodSpec&, const MethodSpec&) = default;
+};
+
+struct TimeSpec {
+  double end = 0;              ///< s, > 0
+  double output_interval = 0;  ///< s, in (0, end]; the end itself is always an output
+};
+
+enum class Quantity { position, velocity, slope, axial_strain, axial_force, curvature, bending_moment };
+
+struct ProbeSpec {
+  std::string name;  ///< unique; letters, digits, - and _
+  double at = 0;     ///< material coordinate as a fraction of the length, in [0, 1]
+  Quantity quantity = Quantity::position;
+};
+
+enum class Norm { max, rms };
+
+/// One series of a reference beside one column of the probes.
+struct Comparison {
+  std::string series;  ///< a column of the reference: "mid_y"
+  std::string column;  ///< a column of the probes: "mid.y"
+};
+
+/// A reference file and what it is held against.
+struct ReferenceUse {
+  std::string name;  ///< unique; default: the file's name without its ending
+  std::string file;  ///< relative to the case file
+  std::vector<Comparison> compare;
+  Norm norm = Norm::max;
+  double tolerance = 0;  ///< in the unit of the series, > 0
+  std::string reason;    ///< why this tolerance; may be empty
+};
+
+/// A plot of one column of the probes over another, or over time.
+struct FigureSpec {
+  std::string name;  ///< unique, the PNG's file name
+  std::string title;
+  std::string x = "t";  ///< "t" or a column
+  std::string y;        ///< a column
+  std::string x_label;  ///< default: the column's name
+  std::string y_label;
+  std::string reference;  ///< name of a [[reference]] that compares these columns, or empty
+  bool equal_axes = false;
+};
+
+/// A camera that is told where to stand; without one the whole motion is fitted into the picture.
+struct CameraSpec {
+  Vec3 eye{0, 0, 0};          ///< m
+  Vec3 target{0, 0, 0};       ///< m
+  Vec3 up{0, 1, 0};           ///< not along the view
+  double field_of_view = 35;  ///< vertical, degrees, in [1, 120]
+};
+
+struct SceneSpec {
+  std::array<int, 2> size{960, 540};  ///< pixels, 16 to 8192 each
+  double frame_rate = 25;             ///< frames a second of simulated time, > 0
+  int supersampling = 2;              ///< samples along each side of a pixel, 1 to 4
+  double cable_radius = 0;            ///< as drawn, m; 0: the true radius, but at least L/150
+  std::optional<CameraSpec> camera;
+};
+
+/// What a case file says, checked.
+struct Case {
+  std::string title;
+  std::map<std::string, double> parameters;
+  CableSpec cable;
+  StartSpec start;
+  SupportsSpec supports;
+  LoadsSpec loads;
+  MethodSpec method;
+  TimeSpec time;
+  std::vector<ProbeSpec> probes;
+  std::vector<ReferenceUse> references;
+  std::vector<FigureSpec> figures;
+  SceneSpec scene;
+};
+
+/// The words that case files use: "green-geometric", "full", "pinned", "rigid", "position", "max".
+std::string_view word(StrainModel);
+std::string_view word(QuadratureRule);
+std::string_view word(Support);
+std::string_view word(SlopeRates);
+std::string_view word(Quantity);
+std::string_view word(Norm);
+
+/// Unit of a probed quantity: "m", "m/s", "1", "N", "1/m", "N m".
+std::string_view unit(Quantity);
+/// True for position, velocity and slope, which have the columns NAME.x, NAME.y and NAME.z.
+bool is_vector(Quantity);
+/// Names of a probe's columns, in order: "tip.x", "tip.y", "tip.z", or "tip" alone for a scalar.
+std::vector<std::string> column_names(const ProbeSpec&);
+
+}  // namespace plumb

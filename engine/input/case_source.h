@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/input/case.h"
+#include "engine/input/reference.h"
+
+namespace plumb {
+
+/// A text with the name that errors show for it.
+struct NamedText {
+  std::string name;  ///< "cases/pendulum.toml"
+  std::string text;
+};
+
+/// All that a case is made of, so that it can be read again from a run file where its files no longer are.
+struct CaseSource {
+  NamedText file;
+  std::vector<std::string> overrides;  ///< "cable.elements=8", as after --set
+  std::vector<NamedText> references;   ///< text of each [[reference]] file, named by its `file` key
+};
+
+/// A checked case with the references it names, in the order of `Case::references`.
+struct LoadedCase {
+  CaseSource source;
+  Case spec;
+  std::vector<Reference> references;
+  std::vector<std::string> remarks;  ///< what was left unused and why, for the user to see
+};
+
+/// Reads a case file from disk with its references and checks everything.
+/// Throws InputError naming file, line, column, the value and what is allowed.
+LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from texts that are at hand already. Throws as above.
+LoadedCase load_case(const CaseSource& source);
+
+/// Reads a reference. Throws InputError where source, figure, unit, how obtained or uncertainty is missing, or a
+/// number is not finite.
+Reference read_reference(const NamedText& text);
+
+}  // namespace plumb

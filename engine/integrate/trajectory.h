@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumb {
+
+/// How an integration ended.
+enum class Outcome {
+  not_run,
+  completed,
+  unstable,        ///< the energy grew beyond the stated bound
+  diverged,        ///< the state is not finite
+  no_convergence,  ///< Newton's iteration or the library's solver gave up
+  singular,        ///< the slope of an element collapsed, or the matrix is singular
+  interrupted,     ///< the user stopped it
+};
+
+/// "not-run", "completed", "unstable", "diverged", "no-convergence", "singular", "interrupted".
+std::string_view word(Outcome);
+
+/// What an integration cost. -1: not counted, or not run.
+struct Counters {
+  long steps = -1;
+  long rejected_steps = -1;  ///< tried and repeated shorter by an error-controlled method
+  long force_evaluations = -1;
+  long tangent_evaluations = -1;
+  long factorizations = -1;  ///< of the block banded matrix
+  long newton_iterations = -1;
+};
+
+/// Energies at one time, J. Potential energy is that of gravity, 0 at the origin.
+struct Energies {
+  double kinetic = 0;
+  double axial = 0;    ///< strain energy of stretching
+  double bending = 0;  ///< strain energy of bending
+  double potential = 0;
+
+  double total() const { return kinetic + axial + bending + potential; }
+};
+
+/// What an integration gave, up to where it ended.
+struct Trajectory {
+  Outcome outcome = Outcome::not_run;
+  std::string message;       ///< for an outcome other than completed: method, time, step, element, what happened
+  int elements = 0;
+  double element_length = 0;  ///< l, m
+  double end_time = 0;        ///< time reached, s
+
+  /// One entry an output, all of the same length; times strictly increasing from 0.
+  std::vector<double> times;          ///< s
+  std::vector<Eigen::VectorXd> q;     ///< per node r (m) and r' (1), 6(N + 1) numbers
+  std::vector<Eigen::VectorXd> v;     ///< their rates, m/s and 1/s
+  std::vector<Energies> energies;
+  int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
+
+  Counters counters;
+  double solve_seconds = -1;  ///< the time loop alone
+
+  /// Greatest |E(t) − E(0)| over the outputs, J, and the same relative to the first kinetic energy (0 where that is 0).
+  double energy_drift() const;
+  double relative_energy_drift() const;
+};
+
+}  // namespace plumb
