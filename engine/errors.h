@@ -18,7 +18,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A picture could not be drawn or a file could not be written; says which and why. Ends the program with status 5.
+/// A picture could not be drawn or a file could not be written; says which and why. Ends the program with
+/// status 5.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

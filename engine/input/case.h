@@ -24,7 +24,8 @@ enum class StrainModel {
 enum class QuadratureRule {
   /// 5 Gauss points for the axial part (exact for Green strain), 3 for bending.
   full,
-  /// 3 Lobatto points for the axial part, 2 Gauss points for bending: avoids axial locking of coarse, stiff meshes.
+  /// 3 Lobatto points for the axial part, 2 Gauss points for bending: avoids axial locking of coarse, stiff
+  /// meshes.
   reduced,
 };
 

@@ -14,7 +14,7 @@ struct MethodParameter {
   double minimum = 0;   ///< inclusive
   double maximum = 0;   ///< inclusive
   double fallback = 0;
-  bool whole = false;   ///< whole numbers only
+  bool whole = false;  ///< whole numbers only
 };
 
 /// What a method is and takes: the same words serve the case reader, `plumb doctor` and the report.

@@ -19,8 +19,6 @@ std::string_view word(Outcome outcome) {
       return "no-convergence";
     case Outcome::singular:
       return "singular";
-    case Outcome::interrupted:
-      return "interrupted";
   }
   return "not-run";
 }

@@ -15,10 +15,9 @@ enum class Outcome {
   diverged,        ///< the state is not finite
   no_convergence,  ///< Newton's iteration or the library's solver gave up
   singular,        ///< the slope of an element collapsed, or the matrix is singular
-  interrupted,     ///< the user stopped it
 };
 
-/// "not-run", "completed", "unstable", "diverged", "no-convergence", "singular", "interrupted".
+/// "not-run", "completed", "unstable", "diverged", "no-convergence", "singular".
 std::string_view word(Outcome);
 
 /// What an integration cost. -1: not counted, or not run.
@@ -44,22 +43,23 @@ struct Energies {
 /// What an integration gave, up to where it ended.
 struct Trajectory {
   Outcome outcome = Outcome::not_run;
-  std::string message;       ///< for an outcome other than completed: method, time, step, element, what happened
+  std::string message;  ///< for an outcome other than completed: method, time, step, element, what happened
   int elements = 0;
   double element_length = 0;  ///< l, m
   double end_time = 0;        ///< time reached, s
 
   /// One entry an output, all of the same length; times strictly increasing from 0.
-  std::vector<double> times;          ///< s
-  std::vector<Eigen::VectorXd> q;     ///< per node r (m) and r' (1), 6(N + 1) numbers
-  std::vector<Eigen::VectorXd> v;     ///< their rates, m/s and 1/s
+  std::vector<double> times;       ///< s
+  std::vector<Eigen::VectorXd> q;  ///< per node r (m) and r' (1), 6(N + 1) numbers
+  std::vector<Eigen::VectorXd> v;  ///< their rates, m/s and 1/s
   std::vector<Energies> energies;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
 
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone
 
-  /// Greatest |E(t) − E(0)| over the outputs, J, and the same relative to the first kinetic energy (0 where that is 0).
+  /// Greatest |E(t) − E(0)| over the outputs, J, and the same relative to the first kinetic energy (0 where
+  /// that is 0).
   double energy_drift() const;
   double relative_energy_drift() const;
 };

@@ -4,10 +4,11 @@
 
 namespace plumb {
 
-/// Cubic Hermite shape functions of the gradient-deficient cable element on x in [0, 1] with length l, for the nodal
-/// vectors (r₀, r'₀, r₁, r'₁), where ' is the derivative with respect to arc length, lx:
+/// Cubic Hermite shape functions of the gradient-deficient cable element on x in [0, 1] with length l, for
+/// the nodal vectors (r₀, r'₀, r₁, r'₁), where ' is the derivative with respect to arc length, lx:
 ///   s₁ = 1 − 3x² + 2x³,  s₂ = l(x − 2x² + x³),  s₃ = 3x² − 2x³,  s₄ = l(−x² + x³).
-/// Recuero and Negrut (2016), eq. 2, print s₁ = 1 − 2x² + 2x³: a misprint, as a rigid translation needs s₁ + s₃ = 1.
+/// Recuero and Negrut (2016), eq. 2, print s₁ = 1 − 2x² + 2x³: a misprint, as a rigid translation needs s₁ +
+/// s₃ = 1.
 struct Hermite {
   /// s₁ … s₄ (s₂ and s₄ in m).
   static constexpr std::array<double, 4> values(double x, double l) {

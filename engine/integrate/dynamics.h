@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/integrate/trajectory.h"
+#include "engine/model/cable.h"
+
+namespace plumb {
+
+/// What a method asks of a cable during one run, with the count of what it asked. Not shared between threads.
+class Dynamics {
+ public:
+  explicit Dynamics(const Cable& cable);
+
+  const Cable& cable() const { return cable_; }
+  int size() const { return cable_.size(); }
+
+  /// f := forces on the cable (gravity and elastic), with those that the supports take up set to 0.
+  void force(const Eigen::VectorXd& q, Eigen::VectorXd& f);
+
+  /// a := dv/dt, consistent with the supports.
+  void acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a);
+
+  /// Factors S = mass_factor · M + stiffness_factor · K(q) with supports, K = −∂f/∂q. Returns the node at
+  /// which S is singular; nothing if all is well.
+  [[nodiscard]] std::optional<int> factor(const Eigen::VectorXd& q, double mass_factor,
+                                          double stiffness_factor);
+
+  /// The same with the tangent that was evaluated last.
+  [[nodiscard]] std::optional<int> refactor(double mass_factor, double stiffness_factor);
+
+  /// x := S⁻¹ x; x must be free of what the supports hold.
+  void solve(Eigen::VectorXd& x) const { factors_.solve(x); }
+
+  /// An element whose slope collapsed in a force evaluation since the last call; forgets it.
+  std::optional<int> take_collapsed();
+
+  Counters counters;
+
+ private:
+  const Cable& cable_;
+  BlockTridiagonal tangent_;
+  BlockTridiagonal system_;
+  BlockTridiagonalLu factors_;
+  std::optional<int> collapsed_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,101 @@
+#include "engine/integrate/integrate.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "engine/integrate/monitor.h"
+#include "engine/interrupt.h"
+
+namespace plumb {
+namespace {
+
+/// Outputs this close to a step, as a fraction of the output interval, are the state of that step.
+constexpr double same_time = 1e-9;
+
+void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
+  trajectory.times.push_back(t);
+  trajectory.q.push_back(state.q);
+  trajectory.v.push_back(state.v);
+  trajectory.energies.push_back(cable.energies(state.q, state.v));
+}
+
+std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {
+  return fmt::format("{} ended at t = {:.6g} s in step {}{}: {}", method.name, t, step,
+                     result.element >= 0 ? fmt::format(", element {}", result.element + 1) : "",
+                     result.reason);
+}
+
+}  // namespace
+
+std::vector<double> output_times(const TimeSpec& time) {
+  std::vector<double> times;
+  const auto whole = static_cast<long>(std::floor(time.end / time.output_interval + same_time));
+  for (long k = 0; k <= whole; ++k) times.push_back(static_cast<double>(k) * time.output_interval);
+  if (time.end - times.back() > same_time * time.output_interval)
+    times.push_back(time.end);
+  else
+    times.back() = time.end;
+  return times;
+}
+
+Trajectory integrate(const Case& spec, const Progress& progress) {
+  const Cable cable(spec);
+  const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
+  return integrate(cable, start, spec.method, spec.time, progress);
+}
+
+Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
+                     const Progress& progress) {
+  Trajectory result;
+  result.elements = cable.elements();
+  result.element_length = cable.element().length();
+
+  Dynamics dynamics(cable);
+  const Monitor monitor(cable, start);
+  const std::vector<double> outputs = output_times(time);
+  const double near = same_time * time.output_interval;
+  State between = start;
+
+  const auto started = std::chrono::steady_clock::now();
+  const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
+  record(cable, start.t, start, result);
+  StepResult last = monitor.check(start);
+  std::size_t next = 1;
+  while (last.ok() && next < outputs.size()) {
+    stop_if_interrupted();
+    last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : time.end);
+    const State& now = integrator->state();
+    if (const auto collapsed = dynamics.take_collapsed(); last.ok() && collapsed)
+      last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
+    if (last.ok()) {
+      ++dynamics.counters.steps;
+      last = monitor.check(now);
+    }
+    if (!last.ok()) {
+      result.message = describe(last, method, now.t, dynamics.counters.steps + 1);
+      break;
+    }
+    for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
+      if (std::abs(outputs[next] - now.t) <= near) {
+        record(cable, outputs[next], now, result);
+      } else {
+        integrator->interpolate(outputs[next], between);
+        record(cable, outputs[next], between, result);
+        ++result.interpolated_outputs;
+      }
+    }
+    if (progress && dynamics.counters.steps % 256 == 0) progress(now.t);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
+  result.solve_seconds = elapsed.count();
+  result.outcome = last.outcome;
+  if (!last.ok() && result.message.empty()) result.message = describe(last, method, start.t, 0);
+  result.end_time = integrator->state().t;
+  result.counters = dynamics.counters;
+  result.counters.rejected_steps = integrator->rejected_steps();
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/input/case.h"
+#include "engine/integrate/method.h"
+#include "engine/integrate/trajectory.h"
+
+namespace plumb {
+
+/// Called now and then with the time reached, s.
+using Progress = std::function<void(double)>;
+
+/// The output times of a run: 0, every multiple of the interval, and the end.
+std::vector<double> output_times(const TimeSpec& time);
+
+/// Integrates the cable of a case from its start. A failure of the method is an outcome, with what was
+/// computed up to then kept. Throws Interrupted if the user stops it.
+Trajectory integrate(const Case& spec, const Progress& progress = {});
+
+/// The same for any cable and start, e.g. a start that no case describes.
+Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
+                     const Progress& progress = {});
+
+}  // namespace plumb

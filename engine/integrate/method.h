@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+
+#include "engine/input/case.h"
+#include "engine/integrate/dynamics.h"
+#include "engine/integrate/method_info.h"
+#include "engine/integrate/trajectory.h"
+
+namespace plumb {
+
+/// The state of a cable at a time.
+struct State {
+  double t = 0;       ///< s
+  Eigen::VectorXd q;  ///< m and 1
+  Eigen::VectorXd v;  ///< m/s and 1/s
+};
+
+/// How one step went.
+struct StepResult {
+  Outcome outcome = Outcome::completed;
+  std::string reason;  ///< what happened, for an outcome other than completed
+  int element = -1;    ///< where, if known
+
+  bool ok() const { return outcome == Outcome::completed; }
+};
+
+/// A time integrator at work on one run: it starts at a state and takes one step after another.
+class Method {
+ public:
+  virtual ~Method() = default;
+
+  /// Takes one step, fixed or of a size of its own choice, but not beyond `stop` (s). After a failure the
+  /// state is that before the step.
+  virtual StepResult step(double stop) = 0;
+
+  /// The state after the last step.
+  virtual const State& state() const = 0;
+
+  /// The state at t (s) within the last step, by the interpolation that suits the method.
+  virtual void interpolate(double t, State& at) const = 0;
+
+  /// True where a step should end on every output time because interpolation would cost accuracy.
+  virtual bool stops_at_outputs() const { return false; }
+
+  /// Steps tried and repeated shorter.
+  virtual long rejected_steps() const { return 0; }
+};
+
+/// A method's description and how to make it. Each method defines one of these in its own file.
+struct MethodEntry {
+  MethodInfo info;
+  /// `dynamics` must outlive the method; `spec` holds all parameters of `info`, checked.
+  std::unique_ptr<Method> (*make)(const MethodSpec& spec, Dynamics& dynamics, const State& start);
+};
+
+/// Makes the method that `spec` names. Throws std::invalid_argument for an unknown name.
+std::unique_ptr<Method> make_method(const MethodSpec& spec, Dynamics& dynamics, const State& start);
+
+}  // namespace plumb

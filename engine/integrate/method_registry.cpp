@@ -1,0 +1,46 @@
+#include <stdexcept>
+#include <vector>
+
+#include "engine/integrate/method.h"
+
+namespace plumb {
+
+// A new method adds its entry here and is then known to the case reader, `plumb doctor` and the report.
+MethodEntry linearly_implicit_euler_entry();
+MethodEntry rk4_entry();
+MethodEntry generalized_alpha_entry();
+MethodEntry cvode_bdf_entry();
+MethodEntry arkode_erk_entry();
+
+namespace {
+
+const std::vector<MethodEntry>& entries() {
+  static const std::vector<MethodEntry> all{linearly_implicit_euler_entry(), rk4_entry(),
+                                            generalized_alpha_entry(), cvode_bdf_entry(), arkode_erk_entry()};
+  return all;
+}
+
+}  // namespace
+
+std::span<const MethodInfo> method_infos() {
+  static const std::vector<MethodInfo> infos = [] {
+    std::vector<MethodInfo> result;
+    for (const MethodEntry& entry : entries()) result.push_back(entry.info);
+    return result;
+  }();
+  return infos;
+}
+
+const MethodInfo* find_method(std::string_view name) {
+  for (const MethodInfo& info : method_infos())
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+std::unique_ptr<Method> make_method(const MethodSpec& spec, Dynamics& dynamics, const State& start) {
+  for (const MethodEntry& entry : entries())
+    if (entry.info.name == spec.name) return entry.make(spec, dynamics, start);
+  throw std::invalid_argument("no method is named " + spec.name);
+}
+
+}  // namespace plumb

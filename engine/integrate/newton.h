@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+#include "engine/integrate/method_info.h"
+
+namespace plumb {
+
+/// The keys of [method] that every method with Newton's iteration takes.
+inline std::vector<MethodParameter> newton_parameters() {
+  return {{.name = "newton_tolerance",
+           .meaning =
+               "largest last correction of a position, or of a slope times the element length, as a fraction "
+               "of the cable's length",
+           .minimum = 1e-15,
+           .maximum = 1e-3,
+           .fallback = 1e-11},
+          {.name = "newton_iterations",
+           .meaning = "most corrections in a step",
+           .minimum = 1,
+           .maximum = 1000,
+           .fallback = 20,
+           .whole = true}};
+}
+
+/// Size of a correction of the nodal coordinates: the largest change of a position, or of a slope times the
+/// element length, m, and the element it is at.
+struct CorrectionSize {
+  double metres = 0;
+  int element = 0;
+};
+
+inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double element_length) {
+  CorrectionSize size;
+  const auto nodes = static_cast<int>(dq.size() / 6);
+  for (int node = 0; node < nodes; ++node) {
+    const double largest = std::max(dq.segment<3>(6 * node).lpNorm<Eigen::Infinity>(),
+                                    element_length * dq.segment<3>(6 * node + 3).lpNorm<Eigen::Infinity>());
+    if (!(largest <= size.metres)) size = {largest, std::min(node, nodes - 2)};
+  }
+  return size;
+}
+
+}  // namespace plumb

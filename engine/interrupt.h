@@ -1,0 +1,12 @@
+#pragma once
+
+namespace plumb {
+
+/// Makes SIGINT and SIGTERM ask the running work to stop instead of killing the program; a second one kills
+/// it.
+void catch_interrupts();
+
+/// Throws Interrupted if a stop was asked for. Cheap enough for every step and every frame.
+void stop_if_interrupted();
+
+}  // namespace plumb

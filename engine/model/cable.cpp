@@ -1,0 +1,99 @@
+#include "engine/model/cable.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/model/hermite.h"
+
+namespace plumb {
+
+Cable::Cable(const Case& spec)
+    : elements_(spec.cable.elements),
+      mass_per_length_(spec.cable.density * spec.cable.area),
+      gravity_(spec.loads.gravity),
+      element_(spec.cable.youngs_modulus * spec.cable.area,
+               spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
+               spec.cable.strain, spec.cable.quadrature),
+      supports_(spec.supports, spec.start.direction, spec.cable.elements + 1),
+      mass_(mass_per_length_, element_.length(), elements_, supports_) {
+  // A uniform acceleration is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
+  Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
+  for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = gravity_;
+  mass_.multiply(uniform, gravity_force_);
+}
+
+Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
+  Eigen::VectorXd q(size());
+  for (int node = 0; node < nodes(); ++node) {
+    q.segment<3>(6 * node) = element_.length() * node * start.direction;
+    q.segment<3>(6 * node + 3) = start.direction;
+  }
+  return q;
+}
+
+Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
+  const Vec3 turn = start.angular_velocity.cross(start.direction);
+  Eigen::VectorXd v(size());
+  for (int node = 0; node < nodes(); ++node) {
+    v.segment<3>(6 * node) = element_.length() * node * turn;
+    v.segment<3>(6 * node + 3) = start.slope_rates == SlopeRates::rigid ? turn : Vec3::Zero();
+  }
+  supports_.apply(v);
+  return v;
+}
+
+std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
+  f = gravity_force_;
+  std::optional<int> collapsed;
+  for (int e = 0; e < elements_; ++e) {
+    const double least = element_.add_force(q.data() + 6 * e, f.data() + 6 * e);
+    if (!(least > slope_floor * slope_floor) && !collapsed) collapsed = e;
+  }
+  return collapsed;
+}
+
+void Cable::tangent(const Eigen::VectorXd& q, BlockTridiagonal& K) const {
+  K.set_zero();
+  Element::Matrix12 k;
+  for (int e = 0; e < elements_; ++e) {
+    element_.tangent(q.data() + 6 * e, k);
+    K.diagonal(e) += k.topLeftCorner<6, 6>();
+    K.upper(e) = k.topRightCorner<6, 6>();
+    K.diagonal(e + 1) += k.bottomRightCorner<6, 6>();
+  }
+}
+
+Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
+  Energies result;
+  result.kinetic = mass_.kinetic_energy(v);
+  for (int e = 0; e < elements_; ++e) {
+    result.axial += element_.axial_energy(q.data() + 6 * e);
+    result.bending += element_.bending_energy(q.data() + 6 * e);
+  }
+  result.potential = -gravity_force_.dot(q);
+  return result;
+}
+
+Cable::Place Cable::place(double s) const {
+  const double along = s * elements_;
+  const int element = std::clamp(static_cast<int>(along), 0, elements_ - 1);
+  return {element, along - element};
+}
+
+CablePoint Cable::at(const Eigen::VectorXd& q, double s) const {
+  const auto [element, x] = place(s);
+  const double l = element_.length();
+  const auto combine = [&, e = element](const std::array<double, 4>& shape) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < 4; ++i) sum += shape[static_cast<std::size_t>(i)] * q.segment<3>(6 * e + 3 * i);
+    return sum;
+  };
+  return {combine(Hermite::values(x, l)), combine(Hermite::slopes(x, l)), combine(Hermite::curvatures(x, l))};
+}
+
+Vec3 Cable::interpolate(const Eigen::VectorXd& nodal, double s) const {
+  return at(nodal, s).position;
+}
+
+}  // namespace plumb

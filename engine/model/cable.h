@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "engine/input/case.h"
+#include "engine/integrate/trajectory.h"
+#include "engine/model/block_tridiagonal.h"
+#include "engine/model/element.h"
+#include "engine/model/mass.h"
+#include "engine/model/supports.h"
+
+namespace plumb {
+
+/// Position, slope and curvature vectors at a point of the cable.
+struct CablePoint {
+  Vec3 position;  ///< r, m
+  Vec3 slope;     ///< r', 1
+  Vec3 bend;      ///< r'', 1/m
+};
+
+/// The discrete cable: a chain of equal elements with supports and gravity. Its coordinates q hold r (m) and
+/// r' (1) of each node in turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable
+/// never changes and may be shared between threads.
+class Cable {
+ public:
+  explicit Cable(const Case& spec);
+
+  int elements() const { return elements_; }
+  int nodes() const { return elements_ + 1; }
+  int size() const { return 6 * nodes(); }
+  double length() const { return element_.length() * elements_; }
+  double weight() const { return mass_per_length_ * length() * gravity_.norm(); }  ///< N
+
+  const Element& element() const { return element_; }
+  const MassMatrix& mass() const { return mass_; }
+  const SupportProjection& supports() const { return supports_; }
+
+  /// Straight, unstretched, turning with the angular velocity of the case.
+  Eigen::VectorXd start_q(const StartSpec& start) const;
+  /// The rates at the start, with what the supports hold set to 0.
+  Eigen::VectorXd start_v(const StartSpec& start) const;
+
+  /// f := gravity minus elastic force; the forces of the supports are not in it. Returns an element whose
+  /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point), for which f is incomplete; nothing
+  /// if all is well.
+  std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
+
+  /// K := −∂f/∂q, without supports.
+  void tangent(const Eigen::VectorXd& q, BlockTridiagonal& K) const;
+
+  Energies energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
+
+  /// The cable at the fraction s in [0, 1] of its length.
+  CablePoint at(const Eigen::VectorXd& q, double s) const;
+  /// Interpolates any nodal field (such as v) at s, the way positions are.
+  Vec3 interpolate(const Eigen::VectorXd& nodal, double s) const;
+
+ private:
+  struct Place {
+    int element;
+    double x;  // in [0, 1]
+  };
+  Place place(double s) const;
+
+  int elements_;
+  double mass_per_length_;
+  Vec3 gravity_;
+  Element element_;
+  SupportProjection supports_;
+  MassMatrix mass_;
+  Eigen::VectorXd gravity_force_;
+};
+
+}  // namespace plumb

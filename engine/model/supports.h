@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/input/case.h"
+
+namespace plumb {
+
+class BlockTridiagonal;
+
+/// What the supports hold, as a projection P on the admissible rates of the nodal coordinates (6 a node: r,
+/// r'). `pinned` holds r; `clamped` holds r and the part of r' across the direction of the straight cable, so
+/// that the clamped end can still stretch. Supports do not move: a held coordinate keeps its value.
+class SupportProjection {
+ public:
+  /// `direction`: unit vector of the straight cable; only used where an end is clamped.
+  SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes);
+
+  /// x := P x, for rates, accelerations or forces.
+  void apply(Eigen::VectorXd& x) const;
+
+  /// A := P A P + (I − P): held coordinates get the equation x = 0.
+  void apply(BlockTridiagonal& A) const;
+
+  const SupportsSpec& spec() const { return supports_; }
+  const Vec3& direction() const { return direction_; }
+
+ private:
+  SupportsSpec supports_;
+  Vec3 direction_;
+  int nodes_;
+};
+
+}  // namespace plumb
