@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "engine/integrate/state_at.h"
+
 namespace plumb {
 
 FixedStepMethod::FixedStepMethod(double h, Dynamics& dynamics, const State& start)
@@ -21,13 +23,7 @@ StepResult FixedStepMethod::step(double stop) {
 }
 
 void FixedStepMethod::interpolate(double t, State& at) const {
-  const double h = now_.t - before_.t, x = (t - before_.t) / h;
-  const double x2 = x * x, x3 = x2 * x;
-  at.t = t;
-  at.q = (1 - 3 * x2 + 2 * x3) * before_.q + (3 * x2 - 2 * x3) * now_.q + h * (x - 2 * x2 + x3) * before_.v +
-         h * (x3 - x2) * now_.v;
-  at.v = (6 * x - 6 * x2) / h * (now_.q - before_.q) + (1 - 4 * x + 3 * x2) * before_.v +
-         (3 * x2 - 2 * x) * now_.v;
+  hermite_in_time(before_, now_, t, at);
 }
 
 }  // namespace plumb

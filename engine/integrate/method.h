@@ -1,22 +1,15 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <string>
 
 #include "engine/input/case.h"
 #include "engine/integrate/dynamics.h"
 #include "engine/integrate/method_info.h"
+#include "engine/integrate/state.h"
 #include "engine/integrate/trajectory.h"
 
 namespace plumb {
-
-/// The state of a cable at a time.
-struct State {
-  double t = 0;       ///< s
-  Eigen::VectorXd q;  ///< m and 1
-  Eigen::VectorXd v;  ///< m/s and 1/s
-};
 
 /// How one step went.
 struct StepResult {

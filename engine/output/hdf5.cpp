@@ -1,0 +1,189 @@
+#include "engine/output/hdf5.h"
+
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace plumb::hdf5 {
+namespace {
+
+/// An identifier with the function that closes it.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
+    if (id < 0) throw std::runtime_error(what);
+  }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void require(herr_t status, const std::string& what) {
+  if (status < 0) throw std::runtime_error(what);
+}
+
+void silence() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Handle string_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot make a string type");
+  require(H5Tset_size(type, H5T_VARIABLE), "cannot make a string type");
+  require(H5Tset_cset(type, H5T_CSET_UTF8), "cannot make a string type");
+  return type;
+}
+
+Handle space_of(const std::vector<hsize_t>& shape) {
+  return {shape.empty() ? H5Screate(H5S_SCALAR)
+                        : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+          H5Sclose, "cannot make a data space"};
+}
+
+hsize_t count_of(const std::vector<hsize_t>& shape) {
+  return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+}
+
+void write(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& shape,
+           const void* values, std::string_view unit) {
+  const Handle space = space_of(shape);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path);
+  require(H5Pset_create_intermediate_group(links, 1), path);
+  const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+                   "cannot make " + path);
+  if (count_of(shape) > 0)
+    require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "cannot write " + path);
+  const Handle unit_type = string_type(), one = space_of({});
+  const Handle attribute(H5Acreate2(set, "unit", unit_type, one, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, path);
+  const std::string terminated(unit);
+  const char* pointer = terminated.c_str();
+  require(H5Awrite(attribute, unit_type, &pointer), "cannot write the unit of " + path);
+}
+
+struct OpenSet {
+  Handle set;
+  std::vector<hsize_t> shape;
+};
+
+OpenSet open(hid_t file, const std::string& path, H5T_class_t expected) {
+  Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "the data set " + path + " is missing");
+  const Handle type(H5Dget_type(set), H5Tclose, path);
+  if (H5Tget_class(type) != expected)
+    throw std::runtime_error("the data set " + path + " is of another type");
+  const Handle space(H5Dget_space(set), H5Sclose, path);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  require(rank, path);
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  require(H5Sget_simple_extent_dims(space, shape.data(), nullptr), path);
+  return {std::move(set), std::move(shape)};
+}
+
+}  // namespace
+
+Writer::Writer() {
+  silence();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a file in memory");
+  constexpr std::size_t growth = 1 << 20;
+  require(H5Pset_fapl_core(access, growth, false), "cannot make a file in memory");
+  file_ = H5Fcreate("run.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  require(static_cast<herr_t>(file_ < 0 ? -1 : 0), "cannot make a file in memory");
+}
+
+Writer::~Writer() {
+  H5Fclose(file_);
+}
+
+void Writer::numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                     std::string_view unit) {
+  write(file_, path, H5T_NATIVE_DOUBLE, shape, values, unit);
+}
+
+void Writer::integer(const std::string& path, long value) {
+  write(file_, path, H5T_NATIVE_LONG, {}, &value, "1");
+}
+
+void Writer::text(const std::string& path, std::string_view value) {
+  const std::string terminated(value);
+  const char* pointer = terminated.c_str();
+  write(file_, path, string_type(), {}, &pointer, "text");
+}
+
+void Writer::texts(const std::string& path, const std::vector<std::string>& values) {
+  std::vector<const char*> pointers;
+  for (const std::string& value : values) pointers.push_back(value.c_str());
+  write(file_, path, string_type(), {values.size()}, pointers.data(), "text");
+}
+
+std::string Writer::bytes() {
+  require(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot finish the file");
+  const auto size = H5Fget_file_image(file_, nullptr, 0);
+  if (size < 0) throw std::runtime_error("cannot finish the file");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file_, image.data(), image.size()) != size)
+    throw std::runtime_error("cannot finish the file");
+  return image;
+}
+
+Reader::Reader(const std::string& path) {
+  silence();
+  file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file_ < 0) throw std::runtime_error("it is no HDF5 file, or it was cut short");
+}
+
+Reader::~Reader() {
+  H5Fclose(file_);
+}
+
+Numbers Reader::numbers(const std::string& path) const {
+  OpenSet opened = open(file_, path, H5T_FLOAT);
+  Numbers result{std::move(opened.shape), {}};
+  result.values.resize(count_of(result.shape));
+  if (!result.values.empty())
+    require(H5Dread(opened.set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()),
+            "the data set " + path + " cannot be read");
+  return result;
+}
+
+double Reader::number(const std::string& path) const {
+  const Numbers all = numbers(path);
+  if (all.values.size() != 1) throw std::runtime_error("the data set " + path + " is not one number");
+  return all.values.front();
+}
+
+long Reader::integer(const std::string& path) const {
+  const OpenSet opened = open(file_, path, H5T_INTEGER);
+  if (count_of(opened.shape) != 1) throw std::runtime_error("the data set " + path + " is not one number");
+  long value = 0;
+  require(H5Dread(opened.set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value),
+          "the data set " + path + " cannot be read");
+  return value;
+}
+
+std::vector<std::string> Reader::texts(const std::string& path) const {
+  const OpenSet opened = open(file_, path, H5T_STRING);
+  const Handle type = string_type(), space = space_of(opened.shape);
+  std::vector<char*> pointers(count_of(opened.shape));
+  if (pointers.empty()) return {};
+  require(H5Dread(opened.set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()),
+          "the data set " + path + " cannot be read");
+  std::vector<std::string> values;
+  for (const char* pointer : pointers) values.emplace_back(pointer ? pointer : "");
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
+  return values;
+}
+
+std::string Reader::text(const std::string& path) const {
+  const std::vector<std::string> all = texts(path);
+  if (all.size() != 1) throw std::runtime_error("the data set " + path + " is not one text");
+  return all.front();
+}
+
+}  // namespace plumb::hdf5

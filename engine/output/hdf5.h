@@ -1,0 +1,61 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Small owning types around the C interface of HDF5: just the shapes that run files hold. Every failure
+/// throws std::runtime_error with the name of what failed; the library's own messages are silenced.
+namespace plumb::hdf5 {
+
+/// A file built in memory, so that the disk sees one plain write that can fail in one plain way.
+class Writer {
+ public:
+  Writer();
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// Numbers with the given shape, row-major; groups in the path are made as needed.
+  void numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+               std::string_view unit);
+  void number(const std::string& path, double value, std::string_view unit) {
+    numbers(path, {}, &value, unit);
+  }
+  void integer(const std::string& path, long value);
+  void text(const std::string& path, std::string_view value);
+  void texts(const std::string& path, const std::vector<std::string>& values);
+
+  /// The bytes of the finished file.
+  std::string bytes();
+
+ private:
+  hid_t file_;
+};
+
+struct Numbers {
+  std::vector<hsize_t> shape;
+  std::vector<double> values;
+};
+
+class Reader {
+ public:
+  /// Throws if the file is missing, cut short or no HDF5 file.
+  explicit Reader(const std::string& path);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  Numbers numbers(const std::string& path) const;
+  double number(const std::string& path) const;
+  long integer(const std::string& path) const;
+  std::string text(const std::string& path) const;
+  std::vector<std::string> texts(const std::string& path) const;
+
+ private:
+  hid_t file_;
+};
+
+}  // namespace plumb::hdf5
