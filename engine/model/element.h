@@ -78,6 +78,12 @@ class Element {
 
   static std::vector<Point> points(std::span<const QuadraturePoint> rule, double length);
 
+  /// Eigen's own cross product conjugates complex vectors, which a complex step must not be.
+  template <class T>
+  static Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
   template <class T>
   static Vector<T> combine(const std::array<double, 4>& s, const T* q) {
     Vector<T> sum;
@@ -126,7 +132,7 @@ T Element::bending_energy(const T* q) const {
   T energy = 0;
   for (const Point& point : bending_) {
     const Vector<T> g = combine(point.s1, q), c = combine(point.s2, q);
-    const Vector<T> n = g.cross(c);
+    const Vector<T> n = cross<T>(g, c);
     const T a = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
     if (collapsed(real_part(a))) continue;
     energy += 0.5 * bending_stiffness_ * point.weight * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / power(a);
@@ -151,12 +157,12 @@ T Element::add_force(const T* q, T* f) const {
     const T a = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
     if (!(real_part(a) >= real_part(least))) least = a;
     if (collapsed(real_part(a))) continue;
-    const Vector<T> n = g.cross(c);
+    const Vector<T> n = cross<T>(g, c);
     const T nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     // With W = ½EI n·n / a^p:  ∂W/∂g = EI (c × n / a^p − p n·n g / a^(p+1)),  ∂W/∂c = EI n × g / a^p.
     const T scale = bending_stiffness_ * point.weight / power(a);
-    spread<T>(point.s1, scale * (c.cross(n) - (exponent() * nn / a) * g), f);
-    spread<T>(point.s2, scale * n.cross(g), f);
+    spread<T>(point.s1, scale * (cross<T>(c, n) - (exponent() * nn / a) * g), f);
+    spread<T>(point.s2, scale * cross<T>(n, g), f);
   }
   return least;
 }

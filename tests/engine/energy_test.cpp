@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include "tests/engine/pendulum.h"
+
+namespace plumb {
+namespace {
+
+TEST(Energy, RigidStartHasTheKineticEnergyOfARotatingRod) {
+  Case spec = pendulum(5, 4);
+  const Cable cable(spec);
+  // ρA L³ ω² / 6
+  EXPECT_NEAR(cable.energies(cable.start_q(spec.start), cable.start_v(spec.start)).kinetic, 0.0213333333333,
+              1e-12);
+}
+
+TEST(Energy, PublishedStartHasMoreKineticEnergyThanARigidRotation) {
+  Case spec = pendulum(5, 4);
+  spec.start.slope_rates = SlopeRates::zero;
+  const Cable cable(spec);
+  EXPECT_NEAR(cable.energies(cable.start_q(spec.start), cable.start_v(spec.start)).kinetic, 0.0214857, 5e-8);
+}
+
+TEST(Energy, Rk4AtATenthOfAMillisecondDriftsByLessThanABillionth) {
+  const Trajectory trajectory = run(pendulum(5, 4), method("rk4", 1e-4), {2, 0.02});
+  EXPECT_LT(trajectory.relative_energy_drift(), 1e-9);
+  EXPECT_GT(trajectory.relative_energy_drift(), 0);
+}
+
+TEST(Energy, PotentialEnergyFallsByWeightTimesHeight) {
+  Case spec = pendulum(5, 4);
+  const Cable cable(spec);
+  Eigen::VectorXd q = cable.start_q(spec.start);
+  const double before = cable.energies(q, q).potential;
+  for (int node = 0; node < cable.nodes(); ++node) q[6 * node + 1] -= 0.3;
+  EXPECT_NEAR(cable.energies(q, q).potential - before, -cable.weight() * 0.3, 1e-15);
+}
+
+}  // namespace
+}  // namespace plumb
