@@ -37,8 +37,8 @@ LoadedCase load_case(const std::string& path, const std::vector<std::string>& ov
 /// The same from texts that are at hand already. Throws as above.
 LoadedCase load_case(const CaseSource& source);
 
-/// Reads a reference. Throws InputError where source, figure, unit, how obtained or uncertainty is missing, or a
-/// number is not finite.
+/// Reads a reference. Throws InputError where source, figure, unit, how obtained or uncertainty is missing,
+/// or a number is not finite.
 Reference read_reference(const NamedText& text);
 
 }  // namespace plumb

@@ -17,12 +17,13 @@ struct ReferenceSeries {
   std::string description;  ///< "vertical position of the middle"
   std::string figure;       ///< where it stands in the source: "Fig. 3"
   std::string unit;
-  double uncertainty = 0;            ///< half-width, in `unit`, > 0
-  std::string uncertainty_basis;     ///< "rounding of the printed digits"
-  std::vector<double> values;        ///< one a time
+  double uncertainty = 0;         ///< half-width, in `unit`, > 0
+  std::string uncertainty_basis;  ///< "rounding of the printed digits"
+  std::vector<double> values;     ///< one a time
 };
 
-/// A reference file, checked: series over common times, each with source, figure, unit, how obtained and uncertainty.
+/// A reference file, checked: series over common times, each with source, figure, unit, how obtained and
+/// uncertainty.
 struct Reference {
   std::string title;
   ReferenceKind kind = ReferenceKind::computed;
