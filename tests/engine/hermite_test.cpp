@@ -24,7 +24,8 @@ TEST(Hermite, DerivativesAreThoseOfTheValues) {
   const double l = 0.7, h = 1e-5;
   for (double x : {0.2, 0.5, 0.9}) {
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto below = Hermite::values(x - h, l), at = Hermite::values(x, l), above = Hermite::values(x + h, l);
+      const auto below = Hermite::values(x - h, l), at = Hermite::values(x, l),
+                 above = Hermite::values(x + h, l);
       EXPECT_NEAR(Hermite::slopes(x, l)[i], (above[i] - below[i]) / (2 * h * l), 1e-8) << "s" << i + 1;
       EXPECT_NEAR(Hermite::curvatures(x, l)[i], (above[i] - 2 * at[i] + below[i]) / (h * h * l * l), 1e-4)
           << "s" << i + 1;
