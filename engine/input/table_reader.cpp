@@ -144,10 +144,12 @@ Vec3 TableReader::vector(std::string_view key, std::string_view unit, const Vec3
 }
 
 std::string TableReader::text_in(const TomlValue& value, const std::string& key) const {
-  std::string text = prose_in(value, key);
-  if (value.string.find('\n') != std::string::npos)
+  const bool blank = prose_in(value, key).empty();
+  if (value.string.find_first_of("\r\n") != std::string::npos) {
     refuse(value.place, key, value.written, "must be one line");
-  return text;
+  }
+  // As it stands, not with its spaces joined: it may be the name of a file.
+  return blank ? std::string() : value.string;
 }
 
 std::string TableReader::text(std::string_view key, std::string_view meaning) {

@@ -241,6 +241,13 @@ TEST(LoadCase, AReferenceIsLookedForBesideTheCase) {
   }
 }
 
+TEST(LoadCase, TheNameOfAFileKeepsItsSpaces) {
+  CaseSource source = small_case();
+  source.file.text = with(source.file.text, "small_reference.toml", "two  spaces.toml");
+  source.references[0].name = "two  spaces.toml";
+  EXPECT_EQ(load_case(source).spec.references.at(0).file, "two  spaces.toml");
+}
+
 TEST(LoadCase, AFaultInAReferenceIsNamedByItsPathFromHere) {
   CaseSource source = small_case();
   source.file.name = "cases/case.toml";
