@@ -52,9 +52,11 @@ struct CableSpec {
   double density = 0;         ///< ρ, kg/m³, > 0
   double youngs_modulus = 0;  ///< E, Pa, > 0
   double second_moment = 0;   ///< I, m⁴, ≥ 0; of a circular section, A²/4π, unless given
-  int elements = 0;           ///< ≥ 1, of equal length
+  int elements = 0;           ///< 1 to 1,000,000, of equal length
   StrainModel strain = StrainModel::green_geometric;
   QuadratureRule quadrature = QuadratureRule::full;
+
+  friend bool operator==(const CableSpec&, const CableSpec&) = default;
 };
 
 /// The cable starts straight and unstretched, with its first end at the origin.
@@ -62,15 +64,21 @@ struct StartSpec {
   Vec3 direction{1, 0, 0};         ///< of the straight cable; a unit vector once read
   Vec3 angular_velocity{0, 0, 0};  ///< ω about the first end, rad/s
   SlopeRates slope_rates = SlopeRates::rigid;
+
+  friend bool operator==(const StartSpec&, const StartSpec&) = default;
 };
 
 struct SupportsSpec {
   Support first = Support::free;
   Support last = Support::free;
+
+  friend bool operator==(const SupportsSpec&, const SupportsSpec&) = default;
 };
 
 struct LoadsSpec {
   Vec3 gravity{0, 0, 0};  ///< m/s²
+
+  friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
 };
 
 /// A method by name with what it was given. Which of these a method takes is said by its MethodInfo.
@@ -87,14 +95,18 @@ struct MethodSpec {
 struct TimeSpec {
   double end = 0;              ///< s, > 0
   double output_interval = 0;  ///< s, in (0, end]; the end itself is always an output
+
+  friend bool operator==(const TimeSpec&, const TimeSpec&) = default;
 };
 
 enum class Quantity { position, velocity, slope, axial_strain, axial_force, curvature, bending_moment };
 
 struct ProbeSpec {
-  std::string name;  ///< unique; letters, digits, - and _
+  std::string name;  ///< unique; letters, digits, - and _, and not "t"
   double at = 0;     ///< material coordinate as a fraction of the length, in [0, 1]
   Quantity quantity = Quantity::position;
+
+  friend bool operator==(const ProbeSpec&, const ProbeSpec&) = default;
 };
 
 enum class Norm { max, rms };
@@ -103,6 +115,8 @@ enum class Norm { max, rms };
 struct Comparison {
   std::string series;  ///< a column of the reference: "mid_y"
   std::string column;  ///< a column of the probes: "mid.y"
+
+  friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
 /// A reference file and what it is held against.
@@ -113,18 +127,22 @@ struct ReferenceUse {
   Norm norm = Norm::max;
   double tolerance = 0;  ///< in the unit of the series, > 0
   std::string reason;    ///< why this tolerance; may be empty
+
+  friend bool operator==(const ReferenceUse&, const ReferenceUse&) = default;
 };
 
 /// A plot of one column of the probes over another, or over time.
 struct FigureSpec {
-  std::string name;  ///< unique, the PNG's file name
-  std::string title;
+  std::string name;     ///< unique, the PNG's file name
+  std::string title;    ///< default: the name
   std::string x = "t";  ///< "t" or a column
   std::string y;        ///< a column
   std::string x_label;  ///< default: the column's name
   std::string y_label;
-  std::string reference;  ///< name of a [[reference]] that compares these columns, or empty
-  bool equal_axes = false;
+  std::string reference;    ///< name of a [[reference]] that compares these columns, or empty
+  bool equal_axes = false;  ///< one scale for both axes, which have the same unit
+
+  friend bool operator==(const FigureSpec&, const FigureSpec&) = default;
 };
 
 /// A camera that is told where to stand; without one the whole motion is fitted into the picture.
@@ -133,14 +151,18 @@ struct CameraSpec {
   Vec3 target{0, 0, 0};       ///< m
   Vec3 up{0, 1, 0};           ///< not along the view
   double field_of_view = 35;  ///< vertical, degrees, in [1, 120]
+
+  friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 
 struct SceneSpec {
-  std::array<int, 2> size{960, 540};  ///< pixels, 16 to 8192 each
-  double frame_rate = 25;             ///< frames a second of simulated time, > 0
+  std::array<int, 2> size{960, 540};  ///< pixels, 16 to 8192 each; times supersampling at most 16384
+  double frame_rate = 25;             ///< frames a second of simulated time, > 0; at most 100,000 frames
   int supersampling = 2;              ///< samples along each side of a pixel, 1 to 4
   double cable_radius = 0;            ///< as drawn, m; 0: the true radius, but at least L/150
   std::optional<CameraSpec> camera;
+
+  friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
 /// What a case file says, checked.
@@ -157,6 +179,8 @@ struct Case {
   std::vector<ReferenceUse> references;
   std::vector<FigureSpec> figures;
   SceneSpec scene;
+
+  friend bool operator==(const Case&, const Case&) = default;
 };
 
 /// The words that case files use: "green-geometric", "full", "pinned", "rigid", "position", "max".

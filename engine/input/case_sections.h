@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/input/case.h"
+#include "engine/input/case_source.h"
+#include "engine/input/file_text.h"
+#include "engine/input/table_reader.h"
+
+// The sections of a case file, one function each. Each reads its table to the end and checks all that can be
+// checked with what it is given. All throw InputError.
+namespace plumb {
+
+CableSpec read_cable(TableReader table);
+StartSpec read_start(TableReader table);
+SupportsSpec read_supports(TableReader table);
+LoadsSpec read_loads(TableReader table);
+TimeSpec read_time(TableReader table);
+
+/// [method]: the method's keys and no other, with defaults filled in.
+MethodSpec read_method(TableReader table, const TimeSpec& time);
+
+std::vector<ProbeSpec> read_probes(std::vector<TableReader> tables);
+
+/// What [[reference]] says and the files it names, in the same order.
+struct ReferencesRead {
+  std::vector<ReferenceUse> uses;
+  std::vector<Reference> references;
+  std::vector<NamedText> texts;  ///< one a file
+  std::vector<std::string> remarks;
+};
+
+/// Gives the text of a reference by its `file` key, or why there is none.
+using ReferenceText = std::function<FileText(const std::string& file)>;
+
+/// `case_name` is the case file's own: errors within a reference name it relative to the same folder.
+ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
+                               const ReferenceText& text_of, const std::vector<ProbeSpec>& probes,
+                               const TimeSpec& time);
+
+std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std::vector<ProbeSpec>& probes,
+                                     const std::vector<ReferenceUse>& references);
+
+SceneSpec read_scene(TableReader table, const TimeSpec& time);
+
+}  // namespace plumb

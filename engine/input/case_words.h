@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "engine/input/case.h"
+
+namespace plumb {
+
+/// A value of an enumeration beside the word that case files use for it.
+template <class E>
+struct Word {
+  E value;
+  std::string_view word;
+};
+
+/// All the words of an enumeration: `words_of<Norm>`.
+template <class E>
+inline constexpr std::array<Word<E>, 0> words_of{};
+
+template <>
+inline constexpr std::array words_of<StrainModel>{
+    Word<StrainModel>{StrainModel::green_geometric, "green-geometric"},
+    Word<StrainModel>{StrainModel::engineering_material, "engineering-material"},
+};
+
+template <>
+inline constexpr std::array words_of<QuadratureRule>{
+    Word<QuadratureRule>{QuadratureRule::full, "full"},
+    Word<QuadratureRule>{QuadratureRule::reduced, "reduced"},
+};
+
+template <>
+inline constexpr std::array words_of<Support>{
+    Word<Support>{Support::free, "free"},
+    Word<Support>{Support::pinned, "pinned"},
+    Word<Support>{Support::clamped, "clamped"},
+};
+
+template <>
+inline constexpr std::array words_of<SlopeRates>{
+    Word<SlopeRates>{SlopeRates::rigid, "rigid"},
+    Word<SlopeRates>{SlopeRates::zero, "zero"},
+};
+
+template <>
+inline constexpr std::array words_of<Quantity>{
+    Word<Quantity>{Quantity::position, "position"},
+    Word<Quantity>{Quantity::velocity, "velocity"},
+    Word<Quantity>{Quantity::slope, "slope"},
+    Word<Quantity>{Quantity::axial_strain, "axial-strain"},
+    Word<Quantity>{Quantity::axial_force, "axial-force"},
+    Word<Quantity>{Quantity::curvature, "curvature"},
+    Word<Quantity>{Quantity::bending_moment, "bending-moment"},
+};
+
+template <>
+inline constexpr std::array words_of<Norm>{
+    Word<Norm>{Norm::max, "max"},
+    Word<Norm>{Norm::rms, "rms"},
+};
+
+}  // namespace plumb

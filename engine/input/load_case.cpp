@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/errors.h"
+#include "engine/input/case_sections.h"
+#include "engine/input/case_source.h"
+#include "engine/input/method_keys.h"
+#include "engine/input/override.h"
+#include "engine/input/parameters.h"
+#include "engine/input/table_reader.h"
+
+namespace plumb {
+namespace {
+
+LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
+                     const ReferenceText& text_of) {
+  const TomlValue written = parse_toml(file);
+  TomlValue merged = written;
+  for (const std::string& text : overrides) apply_override(merged, text);
+
+  LoadedCase loaded;
+  loaded.remarks = drop_keys_of_replaced_method(written, merged);
+  const Parameters parameters(merged.find("parameters"));
+  TableReader root(merged, "", &parameters);
+  root.has("parameters");
+
+  // All tables are asked for before any is read: an unknown one is likely the reason why another is missing.
+  Case& spec = loaded.spec;
+  spec.title = root.text("title", "a title");
+  const TableReader cable = root.required_table("cable", "a table [cable]"), start = root.table("start");
+  const TableReader supports = root.table("supports"), loads = root.table("loads");
+  const TableReader method = root.required_table("method", "a table [method]"),
+                    time = root.required_table("time", "a table [time]");
+  const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
+  const std::vector<TableReader> figures = root.tables("figure");
+  const TableReader scene = root.table("scene");
+  root.finish();
+
+  spec.parameters = parameters.values();
+  spec.cable = read_cable(cable);
+  spec.start = read_start(start);
+  spec.supports = read_supports(supports);
+  spec.loads = read_loads(loads);
+  spec.time = read_time(time);
+  spec.method = read_method(method, spec.time);
+  spec.probes = read_probes(probes);
+  ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
+  spec.references = std::move(read.uses);
+  spec.figures = read_figures(figures, spec.probes, spec.references);
+  spec.scene = read_scene(scene, spec.time);
+
+  loaded.references = std::move(read.references);
+  loaded.source = {file, overrides, std::move(read.texts)};
+  loaded.remarks.insert(loaded.remarks.end(), read.remarks.begin(), read.remarks.end());
+  for (const std::string& name : parameters.unused()) {
+    loaded.remarks.push_back(fmt::format("parameters.{} is not used", name));
+  }
+  return loaded;
+}
+
+}  // namespace
+
+LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
+  const FileText file = read_file_text(path);
+  if (!file.failure.empty()) {
+    throw InputError(one_line(fmt::format("{}: cannot be read: {}", path, file.failure)));
+  }
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return read_case({path, file.text}, overrides,
+                   [&](const std::string& name) { return read_file_text((folder / name).string()); });
+}
+
+LoadedCase load_case(const CaseSource& source) {
+  return read_case(source.file, source.overrides, [&](const std::string& name) {
+    const auto found = std::find_if(source.references.begin(), source.references.end(),
+                                    [&](const NamedText& reference) { return reference.name == name; });
+    return found != source.references.end() ? FileText{found->text, ""}
+                                            : FileText{"", "its text is not among those of the case"};
+  });
+}
+
+}  // namespace plumb

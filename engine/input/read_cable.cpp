@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/input/case_sections.h"
+#include "engine/input/number_text.h"
+
+namespace plumb {
+namespace {
+
+/// Numbers that are each in range can still have a product that is not.
+void check_product(const TableReader& table, double product, std::string_view key, std::string_view meaning) {
+  if (std::isfinite(product) && product > 0) return;
+  table.refuse_value(
+      key, fmt::format("{} comes to {}; must be greater than 0 and finite", meaning, number_text(product)));
+}
+
+}  // namespace
+
+CableSpec read_cable(TableReader table) {
+  constexpr int most_elements = 1'000'000;
+  CableSpec cable;
+  cable.length = table.number("length", Range::positive("m"));
+  cable.area = table.number("area", Range::positive("m²"));
+  cable.density = table.number("density", Range::positive("kg/m³"));
+  cable.youngs_modulus = table.number("youngs_modulus", Range::positive("Pa"));
+  const auto second_moment = table.optional_number("second_moment", Range::at_least(0, "m⁴"));
+  cable.elements = static_cast<int>(table.number("elements", Range::whole_between(1, most_elements)));
+  cable.strain = table.choice<StrainModel>("strain", StrainModel::green_geometric);
+  cable.quadrature = table.choice<QuadratureRule>("quadrature", QuadratureRule::full);
+  table.finish();
+
+  const double circular = cable.area * cable.area / (4 * std::numbers::pi);
+  cable.second_moment = second_moment.value_or(circular);
+  check_product(table, cable.density * cable.area * cable.length, "density",
+                "the mass, density × area × length,");
+  check_product(table, cable.youngs_modulus * cable.area, "youngs_modulus",
+                "the stiffness, youngs_modulus × area,");
+  if (!std::isfinite(cable.youngs_modulus * cable.second_moment)) {
+    table.refuse_value(second_moment ? "second_moment" : "area", "the bending stiffness is not finite");
+  }
+  return cable;
+}
+
+}  // namespace plumb

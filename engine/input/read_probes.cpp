@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/input/case_sections.h"
+#include "engine/input/name_rule.h"
+
+namespace plumb {
+
+std::vector<ProbeSpec> read_probes(std::vector<TableReader> tables) {
+  std::vector<ProbeSpec> probes;
+  for (TableReader& table : tables) {
+    ProbeSpec probe;
+    probe.name = table.text("name", "a name");
+    probe.at = table.number("at", Range::between(0, 1, "fraction of the length"));
+    probe.quantity = table.choice<Quantity>("quantity", Quantity::position);
+    table.finish();
+
+    if (!follows_name_rule(probe.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
+    if (probe.name == "t") table.refuse_value("name", "is the name of the time");
+    const auto same = [&](const ProbeSpec& other) { return other.name == probe.name; };
+    if (std::any_of(probes.begin(), probes.end(), same))
+      table.refuse_value("name", "is the name of another probe");
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
+}  // namespace plumb

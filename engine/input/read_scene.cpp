@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "engine/input/case_sections.h"
+
+namespace plumb {
+namespace {
+
+CameraSpec read_camera(TableReader table) {
+  CameraSpec camera;
+  camera.eye = table.vector("eye", "m");
+  camera.target = table.vector("target", "m");
+  camera.up = table.vector("up", "", camera.up);
+  camera.field_of_view =
+      table.number("field_of_view", Range::between(1, 120, "degrees"), camera.field_of_view);
+  table.finish();
+
+  const Vec3 view = camera.target - camera.eye;
+  if (!(view.stableNorm() > 0) || !view.allFinite())
+    table.refuse_value("target", "must be somewhere else than eye");
+  if (!(camera.up.stableNorm() > 0)) table.refuse_value("up", "must not be zero");
+  const double sine = view.stableNormalized().cross(camera.up.stableNormalized()).norm();
+  if (!(sine > 1e-6)) table.refuse_value("up", "must not be parallel to the view, from eye to target");
+  return camera;
+}
+
+}  // namespace
+
+SceneSpec read_scene(TableReader table, const TimeSpec& time) {
+  constexpr int smallest = 16, largest = 8192;
+  // Where the renderer's frame buffers end.
+  constexpr int most_samples = 16384;
+  constexpr double most_frames = 1e5;
+  SceneSpec scene;
+  if (const auto size = table.numbers("size", 2, Range::whole_between(smallest, largest))) {
+    scene.size = {static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
+  }
+  scene.frame_rate = table.number("frame_rate", Range::positive("1/s"), scene.frame_rate);
+  scene.supersampling = table.whole("supersampling", 1, 4, scene.supersampling);
+  scene.cable_radius = table.number("cable_radius", Range::at_least(0, "m"), scene.cable_radius);
+  if (table.has("camera")) scene.camera = read_camera(table.table("camera"));
+  table.finish();
+
+  if (scene.supersampling * std::max(scene.size[0], scene.size[1]) > most_samples) {
+    table.refuse_value("size", fmt::format("times supersampling, {}, must be at most {} (samples)",
+                                           scene.supersampling, most_samples));
+  }
+  if (scene.frame_rate * time.end > most_frames) {
+    table.refuse_value(
+        "frame_rate",
+        fmt::format("gives {:.3g} frames until the end time, {} s; at most {} are allowed; give a lower rate",
+                    scene.frame_rate * time.end, time.end, most_frames));
+  }
+  return scene;
+}
+
+}  // namespace plumb
