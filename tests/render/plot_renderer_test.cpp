@@ -1,0 +1,134 @@
+#include "render/plot_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#include "render/plot_layout.h"
+#include "render/png.h"
+
+namespace plumb {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Pictures are kept for the eye where PLUMB_PICTURES names a folder.
+void keep(const std::string& name, const Image& image) {
+  if (const char* folder = std::getenv("PLUMB_PICTURES"))
+    std::ofstream(std::string(folder) + "/" + name + ".png", std::ios::binary) << encode_png(image);
+}
+
+template <typename Function>
+Series sampled(const std::string& label, int count, double end, Function f) {
+  Series s;
+  s.label = label;
+  for (int i = 0; i <= count; ++i) {
+    s.x.push_back(end * i / count);
+    s.y.push_back(f(s.x.back()));
+  }
+  return s;
+}
+
+double mid(double t) { return -0.19 + 0.19 * std::cos(7 * t) * (1 - 0.1 * t) - 0.01 * std::cos(31 * t); }
+
+Series published(Series s) {
+  s.label = "published";
+  s.line_width = 0;
+  s.marker = Marker::circle;
+  s.color = palette[1];
+  return s;
+}
+
+Plot over_time() {
+  Plot plot;
+  plot.title = "Vertical position of the middle";
+  Panel upper;
+  upper.y.label = "mid y [m]";
+  upper.height_share = 2.4;
+  upper.shares_x_below = true;
+  upper.series.push_back(sampled("Plumb", 1000, 2, mid));
+  upper.series.push_back(published(sampled("", 100, 2, mid)));
+  Panel lower;
+  lower.x.label = "time [s]";
+  lower.y.label = "difference [m]";
+  lower.y.zero_line = true;
+  lower.series.push_back(sampled("", 100, 2, [](double t) { return 1e-5 * (std::sin(21 * t) * t + 0.3 * std::cos(77 * t)); }));
+  plot.panels = {upper, lower};
+  return plot;
+}
+
+Plot tip_path() {
+  Plot plot;
+  plot.title = "Tip in the horizontal plane";
+  plot.height = 1600;
+  const auto x = [](double t) { return (1 - 0.15 * t) * std::cos(3.5 * t) * (0.75 + 0.25 * std::cos(7 * t)); };
+  const auto z = [](double t) { return -(1 - 0.15 * t) * std::sin(3.5 * t) * (0.75 + 0.25 * std::cos(7 * t)); };
+  const auto path = [&](int count) {
+    Series s = sampled("Plumb", count, 2, z);
+    for (double& value : s.x) value = x(value);
+    return s;
+  };
+  Panel upper;
+  upper.x.label = "tip x [m]";
+  upper.y.label = "tip z [m]";
+  upper.equal_axes = true;
+  upper.height_share = 3;
+  upper.series = {path(1000), published(path(100))};
+  Panel lower;
+  lower.x.label = "time [s]";
+  lower.y.label = "difference [m]";
+  lower.y.zero_line = true;
+  lower.series = {sampled("x", 200, 2, [](double t) { return 2e-3 * t * std::sin(9 * t); }),
+                  sampled("z", 200, 2, [](double t) { return 3e-3 * t * std::cos(11 * t); })};
+  plot.panels = {upper, lower};
+  return plot;
+}
+
+Plot energies() {
+  Plot plot;
+  plot.title = "Energies";
+  Panel upper;
+  upper.y.label = "energy [J]";
+  upper.height_share = 2.4;
+  upper.shares_x_below = true;
+  upper.y.zero_line = true;
+  const auto kinetic = [](double t) { return 0.021 - 0.5 * mid(t) * 0.0785; };
+  const auto axial = [](double t) { return 4e-4 * std::pow(std::sin(40 * t), 2); };
+  const auto bending = [](double t) { return 1e-4 * std::pow(std::sin(9 * t), 2); };
+  upper.series = {sampled("kinetic", 500, 2, kinetic), sampled("axial", 500, 2, axial),
+                  sampled("bending", 500, 2, bending),
+                  sampled("potential", 500, 2, [](double t) { return 0.0785 * 0.5 * mid(t); }),
+                  sampled("total", 500, 2, [](double) { return 0.021; })};
+  upper.series[4].color = palette[6];
+  upper.series[4].dash = Dash::dashed;
+  Panel lower;
+  lower.x.label = "time [s]";
+  lower.y.label = "drift [1]";
+  lower.series = {sampled("", 500, 2, [](double t) { return 3.2e-9 * t * (1 + 0.1 * std::sin(60 * t)); })};
+  plot.panels = {upper, lower};
+  return plot;
+}
+
+class PlotRendererTest : public testing::Test {
+ protected:
+  GlContext context_;
+  PlotRenderer renderer_{context_};
+};
+
+TEST_F(PlotRendererTest, SamePlotGivesTheSamePixels) {
+  const Image over = renderer_.draw(over_time());
+  const Image path = renderer_.draw(tip_path());
+  const Image energy = renderer_.draw(energies());
+  keep("plot_over_time", over);
+  keep("plot_tip_path", path);
+  keep("plot_energies", energy);
+  EXPECT_EQ(renderer_.draw(over_time()), over);
+  EXPECT_EQ(renderer_.draw(tip_path()), path);
+  EXPECT_EQ(PlotRenderer(context_).draw(energies()), energy);
+}
+
+}  // namespace
+}  // namespace plumb
