@@ -114,6 +114,8 @@ AxisTicks axis_ticks(double lo, double hi, const TickRoom& room) {
   return ticks;
 }
 
+double round_step(double wished) { return finest_at_least(wished).value(); }
+
 AxisRange fitted_range(double lo, double hi, double margin) {
   if (!(lo <= hi)) return {0, 1};
   // Far from where powers of ten and differences leave the range of numbers.

@@ -31,6 +31,9 @@ struct TickRoom {
 /// below 0.01 or from 100 000 on.
 AxisTicks axis_ticks(double lo, double hi, const TickRoom& room);
 
+/// The smallest of 1, 2 or 5 times a power of ten that is at least `wished` > 0.
+double round_step(double wished);
+
 /// The range of an axis for values from lo to hi, with a margin as a fraction of their span on either side. Equal or
 /// hardly different values, and none (lo > hi), get a range around them that can be drawn.
 struct AxisRange {

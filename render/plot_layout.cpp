@@ -151,7 +151,7 @@ class Stack {
   // Height of what stands between a frame's top and what is above it.
   double head(std::size_t p, double legend_height) const {
     const Panel& panel = plot_.panels[p];
-    double height = 0.9 * sizes_.tick.size;  // a power of ten, half a tick label
+    double height = 1.2 * sizes_.tick.size;  // a power of ten
     if (!panel.title.empty()) height = std::max(height, 1.45 * sizes_.panel_title.size);
     return height + legend_height;
   }
@@ -171,7 +171,7 @@ class Stack {
   }
 
   double foot(std::size_t p) const {
-    if (!shows_x(p)) return 0.4 * sizes_.gap;
+    if (!shows_x(p)) return sizes_.tick_length + 0.2 * sizes_.gap;
     return sizes_.tick_length + 1.35 * sizes_.tick.size + 1.4 * sizes_.label.size + 0.3 * sizes_.gap;
   }
 

@@ -3,23 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 
 #include "render/plot_layout.h"
-#include "render/png.h"
+#include "tests/render/pictures.h"
 
 namespace plumb {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// Pictures are kept for the eye where PLUMB_PICTURES names a folder.
-void keep(const std::string& name, const Image& image) {
-  if (const char* folder = std::getenv("PLUMB_PICTURES"))
-    std::ofstream(std::string(folder) + "/" + name + ".png", std::ios::binary) << encode_png(image);
-}
 
 template <typename Function>
 Series sampled(const std::string& label, int count, double end, Function f) {

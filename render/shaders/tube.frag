@@ -1,0 +1,18 @@
+#version 330 core
+// A broad light from above and behind the camera's shoulder, the sky and the ground, and a soft highlight.
+uniform vec4 color;
+uniform vec3 eye;
+uniform vec3 up;
+uniform vec3 light;
+in vec3 place;
+in vec3 outward;
+out vec4 shaded;
+void main() {
+  vec3 n = normalize(outward);
+  vec3 to_eye = normalize(eye - place);
+  float sky = 0.5 + 0.5 * dot(n, up);
+  float lit = max(dot(n, light), 0.0);
+  float glint = pow(max(dot(n, normalize(light + to_eye)), 0.0), 48.0);
+  vec3 tone = color.rgb * (mix(0.42, 0.62, sky) + 0.58 * lit) + vec3(0.28) * glint;
+  shaded = vec4(tone, 1.0);
+}
