@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/errors.h"
 #include "render/shaders.h"
 
@@ -52,18 +55,31 @@ Canvas::Canvas(const GlContext& context, int width, int height, int supersamplin
   context.check("making a canvas");
 }
 
-void Canvas::begin_geometry(Color background) {
+void Canvas::clip(int scale) const {
+  const auto left = static_cast<int>(region_.left);
+  const auto bottom = static_cast<int>(region_.bottom);
+  context_.gl().Enable(GL_SCISSOR_TEST);
+  context_.gl().Scissor(scale * left, scale * (height_ - bottom), scale * (static_cast<int>(region_.right) - left),
+                        scale * (bottom - static_cast<int>(region_.top)));
+}
+
+void Canvas::begin_geometry(const Rect& region) {
   const Gl& gl = context_.gl();
+  const auto inside = [](double pixel, int limit) { return std::clamp(pixel, 0.0, static_cast<double>(limit)); };
+  region_.left = std::floor(inside(region.left, width_));
+  region_.top = std::floor(inside(region.top, height_));
+  region_.right = std::ceil(inside(region.right, width_));
+  region_.bottom = std::ceil(inside(region.bottom, height_));
   if (!geometry_) geometry_.emplace(context_, width_ * supersampling_, height_ * supersampling_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, geometry_->framebuffer.id());
   gl.Viewport(0, 0, width_ * supersampling_, height_ * supersampling_);
-  gl.Disable(GL_SCISSOR_TEST);
+  clip(supersampling_);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  gl.ClearColor(background.r, background.g, background.b, 1);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
@@ -71,7 +87,8 @@ void Canvas::resolve() {
   const Gl& gl = context_.gl();
   if (!resolver_) resolver_.emplace(context_, fullscreen_vert, resolve_frag);
   bind_flat();
-  gl.Disable(GL_BLEND);
+  clip(1);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, geometry_->color.id());
   resolver_->use();
@@ -79,7 +96,7 @@ void Canvas::resolve() {
   resolver_->set("samples", samples);
   gl.BindVertexArray(no_attributes_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.Enable(GL_BLEND);
+  bind_flat();
 }
 
 void Canvas::begin_flat(Color background) {
@@ -101,6 +118,14 @@ void Canvas::bind_flat() const {
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void Canvas::copy_to(const GlTexture& texture) const {
+  const Gl& gl = context_.gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, width_, height_, 0);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
 }
 
 Image Canvas::read() const {

@@ -20,6 +20,7 @@ namespace plumb {
   X(PFNGLCLEARPROC, Clear)                                   \
   X(PFNGLCLEARCOLORPROC, ClearColor)                         \
   X(PFNGLCOMPILESHADERPROC, CompileShader)                   \
+  X(PFNGLCOPYTEXIMAGE2DPROC, CopyTexImage2D)                 \
   X(PFNGLCREATEPROGRAMPROC, CreateProgram)                   \
   X(PFNGLCREATESHADERPROC, CreateShader)                     \
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                   \

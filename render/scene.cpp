@@ -19,7 +19,6 @@ namespace plumb {
 
 namespace {
 
-constexpr Color sky = Color::hex(0xF4F6F9);
 constexpr Color cable_color = Color::hex(0x1F6FB2);
 constexpr Color support_color = Color::hex(0x4A515B);
 constexpr Color trail_color = Color::hex(0xD55E00);
@@ -30,6 +29,7 @@ constexpr int shadow_size = 1024;          // texels a side
 constexpr double trail_frames = 32;        // how many frames ago the trail has faded out
 constexpr int trail_pieces = 8;            // of the trail, a frame
 constexpr double thinnest = 1.0 / 150;     // radius as drawn, in cable lengths
+constexpr double support_reach = 5;        // of a support around the cable's end, in its radii
 constexpr double end_tolerance = 1e-6;     // of a frame: the last output may be short of it by rounding
 
 constexpr std::array<int, 2> mesh_components = {3, 3};
@@ -71,6 +71,8 @@ class SceneRenderer::Drawing {
         painter_(context),
         background_(context, fullscreen_vert, background_frag),
         ground_(context, ground_vert, ground_frag),
+        ground_shadow_(context, ground_vert, ground_shadow_frag),
+        copy_(context, fullscreen_vert, copy_frag),
         shadow_(context, shadow_vert, shadow_frag),
         tube_(context, tube_vert, tube_frag),
         trail_(context, trail_vert, trail_frag),
@@ -79,12 +81,14 @@ class SceneRenderer::Drawing {
         shadow_pieces_(context, shadow_components, VertexBuffer::Step::instance),
         trail_ribbon_(context, trail_components),
         no_attributes_(context),
+        backdrop_(context),
         shadow_map_(context),
         shadow_framebuffer_(context) {
     choose_detail();
     make_shadow_map();
     make_trail();
     set_constants();
+    make_backdrop();
   }
 
   const SceneSpec& spec() const { return input_.spec; }
@@ -95,12 +99,13 @@ class SceneRenderer::Drawing {
     context_.make_current();
     const Eigen::VectorXd state = motion_.state(time);
     const std::vector<CurvePoint> curve = motion_.curve(state, pieces_per_element_);
+    const std::vector<Vec3> trail = trail_places(time);
     draw_shadow_map(curve);
-    canvas_.begin_geometry(sky);
-    draw_surroundings();
+    draw_backdrop();
+    canvas_.begin_geometry(region(curve, trail));
     draw_cable(curve);
     draw_supports(curve);
-    draw_trail(time);
+    draw_trail(trail);
     canvas_.resolve();
     draw_texts(time);
     return canvas_.read();
@@ -150,15 +155,17 @@ class SceneRenderer::Drawing {
     };
     background_.use();
     background_.set("height", static_cast<float>(canvas_.height() * canvas_.supersampling()));
+    for (const GlProgram* program : {&ground_, &ground_shadow_}) {
+      program->use();
+      program->set_matrix("view", matrix.data());
+      set3(*program, "origin", stage_.origin);
+      set3(*program, "across", stage_.across);
+      set3(*program, "forward", stage_.forward);
+      program->set("middle", static_cast<float>(stage_.middle.x()), static_cast<float>(stage_.middle.y()));
+      program->set("radius", static_cast<float>(program == &ground_ ? stage_.ground_radius : shadow_reach_));
+    }
     ground_.use();
-    ground_.set_matrix("view", matrix.data());
-    set3(ground_, "origin", stage_.origin);
-    set3(ground_, "across", stage_.across);
-    set3(ground_, "forward", stage_.forward);
-    ground_.set("middle", static_cast<float>(stage_.middle.x()), static_cast<float>(stage_.middle.y()));
-    ground_.set("radius", static_cast<float>(stage_.ground_radius));
     ground_.set("grid", static_cast<float>(stage_.grid));
-    ground_.set("shadow_reach", static_cast<float>(shadow_reach_));
     ground_.set("line_width", static_cast<float>(canvas_.supersampling()));
     shadow_.use();
     shadow_.set("middle", static_cast<float>(stage_.middle.x()), static_cast<float>(stage_.middle.y()));
@@ -200,18 +207,53 @@ class SceneRenderer::Drawing {
     gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, shadow_pieces_.count());
   }
 
-  // Behind everything, and so without depth.
-  void draw_surroundings() {
+  // What no frame changes: background and grid.
+  void make_backdrop() {
     const Gl& gl = context_.gl();
+    canvas_.begin_flat(Color{});
+    canvas_.begin_geometry(canvas_.whole());
     gl.Disable(GL_DEPTH_TEST);
     gl.BindVertexArray(no_attributes_.id());
     background_.use();
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
     ground_.use();
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    gl.Enable(GL_DEPTH_TEST);
+    canvas_.resolve();
+    canvas_.copy_to(backdrop_);
+  }
+
+  void draw_backdrop() {
+    const Gl& gl = context_.gl();
+    canvas_.bind_flat();
+    gl.BindVertexArray(no_attributes_.id());
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, backdrop_.id());
+    copy_.use();
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
+    ground_shadow_.use();
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+
+  // Where cable, supports and trail are in the picture; all of it when some of them is behind the camera.
+  Rect region(const std::vector<CurvePoint>& curve, const std::vector<Vec3>& trail) const {
+    Rect rect = canvas_.whole();
+    std::swap(rect.left, rect.right);
+    std::swap(rect.top, rect.bottom);
+    bool visible = true;
+    const auto add = [&](const Vec3& place, double around) {
+      const Point p = camera_.pixel(place);
+      visible = visible && p.allFinite();
+      rect.left = std::min(rect.left, p.x() - around);
+      rect.right = std::max(rect.right, p.x() + around);
+      rect.top = std::min(rect.top, p.y() - around);
+      rect.bottom = std::max(rect.bottom, p.y() + around);
+    };
+    // A ball seen from near by looks larger than its radius at its middle's distance: twice is ample.
+    for (const CurvePoint& point : curve)
+      add(point.position, 2 + 2 * support_reach * radius_ * camera_.pixels_per_metre(point.position));
+    for (const Vec3& place : trail) add(place, 2 + trail_width());
+    return visible ? rect : canvas_.whole();
   }
 
   void draw_mesh(VertexBuffer& buffer, const TubeMesh& mesh, Color color) {
@@ -242,17 +284,22 @@ class SceneRenderer::Drawing {
     draw_mesh(support_mesh_, tube_mesh(core, radius, 2 * sides_), support_color);
   }
 
-  void draw_trail(double time) {
-    const double newest = std::clamp(time, 0.0, motion_.end());
-    const double oldest = newest - trail_frames / input_.spec.frame_rate;
+  double trail_width() const { return std::max(1.6, canvas_.height() / 190.0); }
+
+  // From the oldest that is still seen to the tip.
+  std::vector<Vec3> trail_places(double time) const {
+    const double oldest = time - trail_frames / input_.spec.frame_rate;
     std::vector<Vec3> places;
     const auto count = static_cast<double>(tip_path_.size());
-    for (double k = std::max(0.0, std::ceil(oldest / trail_interval_)); k < count && k * trail_interval_ < newest; k += 1)
+    for (double k = std::max(0.0, std::ceil(oldest / trail_interval_)); k < count && k * trail_interval_ < time; k += 1)
       places.push_back(tip_path_[static_cast<std::size_t>(k)]);
-    places.push_back(motion_.tip(motion_.state(newest)));
+    places.push_back(motion_.tip(motion_.state(time)));
+    return places;
+  }
+
+  void draw_trail(const std::vector<Vec3>& places) {
     if (places.size() < 2) return;
-    const double width = std::max(1.6, canvas_.height() / 190.0);
-    trail_ribbon_.upload(trail_ribbon(places, camera_, width, canvas_.width(), canvas_.height()));
+    trail_ribbon_.upload(trail_ribbon(places, camera_, trail_width(), canvas_.width(), canvas_.height()));
     const Gl& gl = context_.gl();
     gl.DepthMask(GL_FALSE);
     trail_.use();
@@ -301,6 +348,8 @@ class SceneRenderer::Drawing {
   Painter painter_;
   GlProgram background_;
   GlProgram ground_;
+  GlProgram ground_shadow_;
+  GlProgram copy_;
   GlProgram shadow_;
   GlProgram tube_;
   GlProgram trail_;
@@ -309,6 +358,7 @@ class SceneRenderer::Drawing {
   VertexBuffer shadow_pieces_;
   VertexBuffer trail_ribbon_;
   GlVertexArray no_attributes_;
+  GlTexture backdrop_;
   GlTexture shadow_map_;
   GlFramebuffer shadow_framebuffer_;
   int sides_ = 0;

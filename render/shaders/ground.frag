@@ -1,14 +1,13 @@
 #version 330 core
-// A disc that fades out, with grid lines of constant width in the picture and the shadow.
+// Grid lines that fade out with distance and have a constant width in the picture. Nothing between them: the picture's
+// background is the ground's colour.
 uniform vec2 middle;
 uniform float radius;
 uniform float grid;
 uniform float line_width;
-uniform float shadow_reach;
-uniform sampler2D shadow_map;
 in vec2 place;
 out vec4 color;
-// Coverage of lines at whole numbers; where they come closer than two widths, their mean.
+// Coverage of lines at whole numbers; where they come closer than some widths, their mean.
 float lines(vec2 at) {
   vec2 step_per_pixel = max(fwidth(at), 1e-9);
   vec2 from_line = abs(fract(at - 0.5) - 0.5) / step_per_pixel;
@@ -19,11 +18,6 @@ float lines(vec2 at) {
 }
 void main() {
   float fade = 1.0 - smoothstep(0.35, 1.0, distance(place, middle) / radius);
-  float line = max(0.35 * lines(place / grid), lines(place / (5.0 * grid)));
-  vec2 texel = (place - middle) / shadow_reach * 0.5 + 0.5;
-  float inside = all(lessThan(abs(texel - 0.5), vec2(0.5))) ? 1.0 : 0.0;
-  float shadow = inside * texture(shadow_map, texel).r;
-  vec3 tone = mix(vec3(0.975, 0.980, 0.985), vec3(0.70, 0.735, 0.78), 0.6 * line);
-  tone = mix(tone, vec3(0.24, 0.28, 0.34), 0.5 * shadow);
-  color = vec4(tone, max(fade, 0.5 * shadow));
+  float opacity = 0.6 * fade * max(0.35 * lines(place / grid), lines(place / (5.0 * grid)));
+  color = vec4(vec3(0.70, 0.735, 0.78) * opacity, opacity);
 }

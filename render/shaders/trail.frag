@@ -2,4 +2,4 @@
 uniform vec4 ink;
 in float strength;
 out vec4 color;
-void main() { color = vec4(ink.rgb, ink.a * strength); }
+void main() { color = vec4(ink.rgb, 1.0) * (ink.a * strength); }
