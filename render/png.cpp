@@ -12,9 +12,10 @@ namespace plumb {
 
 namespace {
 
-// Of the levels and filters tried on frames and plots, level 6 with the "up" and "sub" filters.
+// Measured on frames and plots: drawings with flat areas are smallest, and soonest written, without a filter. Level 9
+// would save another 5 to 10 % and take four times as long.
 constexpr int compression_level = 6;
-constexpr int filters = PNG_FILTER_SUB | PNG_FILTER_UP;
+constexpr int filters = PNG_FILTER_NONE;
 constexpr unsigned max_side = 16384;
 
 struct Sink {
@@ -28,12 +29,11 @@ void write_bytes(png_structp png, png_bytep data, std::size_t size) {
 
 void flush_nothing(png_structp /*png*/) {}
 
+// For warnings as well: they tell of texts that would be left out.
 [[noreturn]] void keep_error(png_structp png, png_const_charp message) {
   static_cast<Sink*>(png_get_error_ptr(png))->error = message;
   png_longjmp(png, 1);
 }
-
-void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
 // Nothing in this function has a destructor, as libpng's errors jump out of what it calls.
 bool write(png_structp png, png_infop info, const Image& image, const std::vector<png_text>& texts) {
@@ -71,7 +71,7 @@ std::string encode_png(const Image& image, const PngTexts& texts) {
   }
 
   Sink sink;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, keep_error, ignore_warning);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, keep_error, keep_error);
   if (png == nullptr) throw OutputError("PNG: libpng cannot be started");
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(png, &sink, write_bytes, flush_nothing);

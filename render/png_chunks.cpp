@@ -11,7 +11,8 @@ namespace {
 
 std::uint32_t check_sum(std::string_view type, std::string_view data) {
   const auto add = [](uLong sum, std::string_view bytes) {
-    return crc32_z(sum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+    // zlib starts anew when it is given no data at all.
+    return bytes.empty() ? sum : crc32_z(sum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
   };
   return static_cast<std::uint32_t>(add(add(0, type), data));
 }

@@ -11,8 +11,9 @@ void main() {
   vec3 n = normalize(outward);
   vec3 to_eye = normalize(eye - place);
   float sky = 0.5 + 0.5 * dot(n, up);
-  float lit = max(dot(n, light), 0.0);
-  float glint = pow(max(dot(n, normalize(light + to_eye)), 0.0), 48.0);
-  vec3 tone = color.rgb * (mix(0.42, 0.62, sky) + 0.58 * lit) + vec3(0.28) * glint;
+  // Light that wraps around, so that a cable along the light's direction is not black.
+  float lit = pow(0.5 + 0.5 * dot(n, light), 1.6);
+  float glint = pow(max(dot(n, normalize(light + to_eye)), 0.0), 40.0);
+  vec3 tone = color.rgb * (mix(0.32, 0.45, sky) + 0.72 * lit) + vec3(0.24) * glint;
   shaded = vec4(tone, 1.0);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -120,6 +121,110 @@ TEST_F(PlotRendererTest, SamePlotGivesTheSamePixels) {
   EXPECT_EQ(renderer_.draw(over_time()), over);
   EXPECT_EQ(renderer_.draw(tip_path()), path);
   EXPECT_EQ(PlotRenderer(context_).draw(energies()), energy);
+}
+
+// A 400 x 300 plot of one series, with given ranges, so that places in it are known.
+Plot small(Series series) {
+  Plot plot;
+  plot.width = 400;
+  plot.height = 300;
+  plot.font_size = 12;
+  Panel panel;
+  panel.x.range = {0, 10};
+  panel.y.range = {0, 1};
+  panel.series = {std::move(series)};
+  plot.panels = {panel};
+  return plot;
+}
+
+std::array<int, 3> at(const Image& image, const Point& place) {
+  const auto i = static_cast<std::size_t>(3 * (static_cast<int>(place.y()) * image.width + static_cast<int>(place.x())));
+  return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+constexpr std::array<int, 3> blue = {0x00, 0x72, 0xB2};
+
+TEST_F(PlotRendererTest, LineRunsThroughThePixelsOfItsData) {
+  Series line;
+  line.x = {2, 8};
+  line.y = {0.37, 0.37};
+  line.line_width = 2;
+  const Plot plot = small(line);
+  const Image image = renderer_.draw(plot);
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(at(image, {panel.x(3.3), panel.y(0.37)}), blue);
+  EXPECT_NE(at(image, {panel.x(1.3), panel.y(0.37)}), blue) << "before the line";
+  EXPECT_NE(at(image, {panel.x(3.3), panel.y(0.47)}), blue) << "above the line";
+}
+
+TEST_F(PlotRendererTest, NotANumberLeavesAGap) {
+  Series line;
+  line.x = {1, 3, 5, 7, 9};
+  line.y = {0.37, 0.37, nan, 0.37, 0.37};
+  line.line_width = 2;
+  const Plot plot = small(line);
+  const Image image = renderer_.draw(plot);
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(at(image, {panel.x(2.2), panel.y(0.37)}), blue);
+  EXPECT_NE(at(image, {panel.x(5.2), panel.y(0.37)}), blue);
+  EXPECT_EQ(at(image, {panel.x(7.8), panel.y(0.37)}), blue);
+}
+
+TEST_F(PlotRendererTest, EachMarkerAddsItsOwnPixels) {
+  for (const Marker marker : {Marker::circle, Marker::square, Marker::diamond, Marker::cross}) {
+    Series series;
+    series.x = {2, 5, 8};
+    series.y = {0.2, 0.5, 0.8};
+    series.line_width = 0;
+    series.marker = marker;
+    const Image all = renderer_.draw(small(series));
+    series.y[1] = nan;
+    EXPECT_NE(renderer_.draw(small(series)), all) << "marker " << static_cast<int>(marker);
+  }
+}
+
+TEST_F(PlotRendererTest, NothingIsDrawnOutsideTheFrame) {
+  Series line;
+  line.x = {-100, 100};
+  line.y = {-10, 11};
+  line.line_width = 8;
+  Series none;
+  const Image with = renderer_.draw(small(line));
+  const Image without = renderer_.draw(small(none));
+  const Rect frame = plot_layout(small(line), Font()).panels[0].frame;
+  int outside = 0;
+  int inside = 0;
+  for (int y = 0; y < with.height; ++y)
+    for (int x = 0; x < with.width; ++x) {
+      const Point place(x + 0.5, y + 0.5);
+      if (at(with, place) != at(without, place)) (frame.contains(place) ? inside : outside) += 1;
+    }
+  EXPECT_EQ(outside, 0);
+  EXPECT_GT(inside, 1000);
+}
+
+TEST_F(PlotRendererTest, EmptyAndConstantDataHaveAxesThatCanBeRead) {
+  Plot plot;
+  plot.title = "Nothing, one point, always the same";
+  Panel empty;
+  empty.y.label = "nothing";
+  Panel constant;
+  constant.y.label = "constant";
+  constant.series = {sampled("always 1e-7", 10, 2, [](double) { return 1e-7; })};
+  Panel point;
+  point.y.label = "one point";
+  point.series.resize(1);
+  point.series[0].x = {3};
+  point.series[0].y = {-4};
+  point.series[0].marker = Marker::circle;
+  Panel hole;
+  hole.series = {sampled("", 10, 2, [](double) { return nan; })};
+  plot.panels = {empty, constant, point, hole};
+  for (const PanelLayout& panel : plot_layout(plot, Font()).panels) {
+    EXPECT_GE(panel.x_ticks.major.size(), 2U);
+    EXPECT_GE(panel.y_ticks.major.size(), 2U);
+  }
+  keep("plot_degenerate", renderer_.draw(plot));
 }
 
 }  // namespace
