@@ -29,7 +29,8 @@ Delay delay(double frame_rate) {
     return {1, static_cast<unsigned>(frame_rate)};
   const double milliseconds = std::round(1000 / frame_rate);
   if (!(frame_rate > 0) || !(milliseconds >= 1) || milliseconds > largest)
-    throw OutputError(fmt::format("animated PNG: {} frames a second: must be in [0.0153, 2000] or whole", frame_rate));
+    throw OutputError(
+        fmt::format("animated PNG: {} frames a second: must be in [0.0153, 2000] or whole", frame_rate));
   return {static_cast<unsigned>(milliseconds), 1000};
 }
 

@@ -10,7 +10,8 @@ namespace plumb {
 
 namespace {
 
-// Rounding moves the quotient of an end and a step by some units in the last place; a tick at the very end stays.
+// Rounding moves the quotient of an end and a step by some units in the last place; a tick at the very end
+// stays.
 constexpr double end_slack = 1e-9;
 
 struct Step {
@@ -114,7 +115,9 @@ AxisTicks axis_ticks(double lo, double hi, const TickRoom& room) {
   return ticks;
 }
 
-double round_step(double wished) { return finest_at_least(wished).value(); }
+double round_step(double wished) {
+  return finest_at_least(wished).value();
+}
 
 AxisRange fitted_range(double lo, double hi, double margin) {
   if (!(lo <= hi)) return {0, 1};

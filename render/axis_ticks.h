@@ -25,17 +25,17 @@ struct TickRoom {
   std::function<double(std::string_view)> extent;
 };
 
-/// Round ticks for the range from lo to hi, lo < hi, both finite: the step of 1, 2 or 5 times a power of ten that comes
-/// closest to the wished spacing without labels that overlap, with at least two ticks. Where even two labels have no
-/// room, those that would overlap are empty. A power of ten is taken out when the largest tick is
-/// below 0.01 or from 100 000 on.
+/// Round ticks for the range from lo to hi, both finite, lo < hi by more than a billionth of their size: the
+/// step of 1, 2 or 5 times a power of ten that comes closest to the wished spacing without labels that
+/// overlap, with at least two ticks. Where even two labels have no room, those that would overlap are empty.
+/// A power of ten is taken out when the largest tick is below 0.01 or from 100 000 on.
 AxisTicks axis_ticks(double lo, double hi, const TickRoom& room);
 
 /// The smallest of 1, 2 or 5 times a power of ten that is at least `wished` > 0.
 double round_step(double wished);
 
-/// The range of an axis for values from lo to hi, with a margin as a fraction of their span on either side. Equal or
-/// hardly different values, and none (lo > hi), get a range around them that can be drawn.
+/// The range of an axis for values from lo to hi, with a margin as a fraction of their span on either side.
+/// Equal or hardly different values, and none (lo > hi), get a range around them that can be drawn.
 struct AxisRange {
   double lo = 0;
   double hi = 1;

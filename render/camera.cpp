@@ -12,7 +12,9 @@ namespace plumb {
 
 namespace {
 
-double half_tangent(double field_of_view) { return std::tan(field_of_view * std::numbers::pi / 360); }
+double half_tangent(double field_of_view) {
+  return std::tan(field_of_view * std::numbers::pi / 360);
+}
 
 }  // namespace
 
@@ -52,18 +54,21 @@ Point Camera::pixel(const Vec3& place) const {
   return {(clip.x() / clip.w() + 1) / 2 * width_, (1 - clip.y() / clip.w()) / 2 * height_};
 }
 
-double Camera::pixels_per_metre(const Vec3& place) const { return focal_ / std::abs((eye_ - place).dot(back_)); }
+double Camera::pixels_per_metre(const Vec3& place) const {
+  return focal_ / std::abs((eye_ - place).dot(back_));
+}
 
-CameraSpec fitted_camera(std::span<const Vec3> points, double radius, const Vec3& back, const Vec3& up, double aspect,
-                         const ViewMargins& margins) {
+CameraSpec fitted_camera(std::span<const Vec3> points, double radius, const Vec3& back, const Vec3& up,
+                         double aspect, const ViewMargins& margins) {
   CameraSpec spec;
   const Vec3 right = up.cross(back).normalized();
   const Vec3 upward = back.cross(right);
   const double tangent = half_tangent(spec.field_of_view);
-  // Each point limits the eye's place by four planes: it has to be on the inner side of the view's edges. Along the
-  // picture's width and height these are two problems of two unknowns, the eye's offset and its distance.
+  // Each point limits the eye's place by four planes: it has to be on the inner side of the view's edges.
+  // Along the picture's width and height these are two problems of two unknowns, the eye's offset and its
+  // distance.
   struct Slopes {
-    double low;   // of the view's edges
+    double low;  // of the view's edges
     double high;
   };
   struct Offsets {
@@ -76,8 +81,10 @@ CameraSpec fitted_camera(std::span<const Vec3> points, double radius, const Vec3
   Offsets y;
   double nearest = -std::numeric_limits<double>::infinity();
   const auto limit = [&](Offsets& offsets, const Slopes& slopes, double across_view, double depth) {
-    offsets.high = std::min(offsets.high, across_view - slopes.low * depth - radius * std::hypot(1, slopes.low));
-    offsets.low = std::max(offsets.low, across_view + slopes.high * depth + radius * std::hypot(1, slopes.high));
+    offsets.high =
+        std::min(offsets.high, across_view - slopes.low * depth - radius * std::hypot(1, slopes.low));
+    offsets.low =
+        std::max(offsets.low, across_view + slopes.high * depth + radius * std::hypot(1, slopes.high));
   };
   Vec3 low = points.front();
   Vec3 high = points.front();

@@ -11,8 +11,8 @@ namespace plumb {
 /// A perspective view into a picture.
 class Camera {
  public:
-  /// Width and height of the picture in pixels. `center` and `radius` (m) enclose what has to be inside the depth range.
-  /// Throws OutputError when the view has no direction or `up` is along it.
+  /// Width and height of the picture in pixels. `center` and `radius` (m) enclose what has to be inside the
+  /// depth range. Throws OutputError when the view has no direction or `up` is along it.
   Camera(const CameraSpec& spec, int width, int height, const Vec3& center, double radius);
 
   /// From world to clip coordinates, which OpenGL divides by w.
@@ -46,9 +46,10 @@ struct ViewMargins {
   double bottom = 0.84;
 };
 
-/// The camera that looks along -back with the given `up` and stands as near as all points, each with a ball of `radius`
-/// (m) around it, allow. `back` is a unit vector not along `up`. There must be at least one point.
-CameraSpec fitted_camera(std::span<const Vec3> points, double radius, const Vec3& back, const Vec3& up, double aspect,
-                         const ViewMargins& margins);
+/// The camera that looks along -back with the given `up` and stands as near as all points, each with a ball
+/// of `radius` (m) around it, allow. `back` is a unit vector not along `up`. There must be at least one
+/// point.
+CameraSpec fitted_camera(std::span<const Vec3> points, double radius, const Vec3& back, const Vec3& up,
+                         double aspect, const ViewMargins& margins);
 
 }  // namespace plumb

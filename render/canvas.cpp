@@ -15,11 +15,17 @@ namespace {
 // What every renderer of a core profile has to offer; more raises an error and keeps the storage as it was.
 constexpr int samples = 4;
 
+// Checked before any member takes something from OpenGL.
+const GlContext& ready(const GlContext& context, int width, int height, int supersampling) {
+  context.check_size(width, height, supersampling);
+  return context.make_current();
+}
+
 void check_complete(const GlContext& context, int width, int height) {
   const GLenum status = context.gl().CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    throw OutputError(
-        fmt::format("OpenGL: no framebuffer of {} x {} pixels can be had (status {:#x})", width, height, status));
+    throw OutputError(fmt::format("OpenGL: no framebuffer of {} x {} pixels can be had (status {:#x})", width,
+                                  height, status));
 }
 
 }  // namespace
@@ -38,8 +44,8 @@ Canvas::Geometry::Geometry(const GlContext& context, int width, int height)
 }
 
 Canvas::Canvas(const GlContext& context, int width, int height, int supersampling)
-    : context_(context),
-      width_((context.make_current(), context.check_size(width, height, supersampling), width)),
+    : context_(ready(context, width, height, supersampling)),
+      width_(width),
       height_(height),
       supersampling_(supersampling),
       color_(context),
@@ -59,13 +65,16 @@ void Canvas::clip(int scale) const {
   const auto left = static_cast<int>(region_.left);
   const auto bottom = static_cast<int>(region_.bottom);
   context_.gl().Enable(GL_SCISSOR_TEST);
-  context_.gl().Scissor(scale * left, scale * (height_ - bottom), scale * (static_cast<int>(region_.right) - left),
+  context_.gl().Scissor(scale * left, scale * (height_ - bottom),
+                        scale * (static_cast<int>(region_.right) - left),
                         scale * (bottom - static_cast<int>(region_.top)));
 }
 
 void Canvas::begin_geometry(const Rect& region) {
   const Gl& gl = context_.gl();
-  const auto inside = [](double pixel, int limit) { return std::clamp(pixel, 0.0, static_cast<double>(limit)); };
+  const auto inside = [](double pixel, int limit) {
+    return std::clamp(pixel, 0.0, static_cast<double>(limit));
+  };
   region_.left = std::floor(inside(region.left, width_));
   region_.top = std::floor(inside(region.top, height_));
   region_.right = std::ceil(inside(region.right, width_));

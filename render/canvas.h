@@ -9,17 +9,18 @@
 
 namespace plumb {
 
-/// A picture being drawn, in two layers: flat drawings and text at the picture's own size, so that they stay crisp, and
-/// geometry, with depth, `supersampling` times as large and with 4 samples in each of its pixels, which resolve()
-/// averages and lays over the picture.
+/// A picture being drawn, in two layers: flat drawings and text at the picture's own size, so that they stay
+/// crisp, and geometry, with depth, `supersampling` times as large and with 4 samples in each of its pixels,
+/// which resolve() averages and lays over the picture.
 class Canvas {
  public:
   /// Width and height in pixels, supersampling in samples along each side of a pixel, all ≥ 1.
   /// Throws OutputError when that is more than the renderer can draw.
   Canvas(const GlContext& context, int width, int height, int supersampling = 1);
 
-  /// Directs drawing to the geometry layer, cleared to nothing, with depth test on. Colours drawn there are multiplied
-  /// by their opacity. Geometry outside `region` (pixels of the picture) need not be drawn, which saves time.
+  /// Directs drawing to the geometry layer, cleared to nothing, with depth test on. Colours drawn there are
+  /// multiplied by their opacity. Geometry outside `region` (pixels of the picture) need not be drawn, which
+  /// saves time.
   void begin_geometry(const Rect& region);
   /// Lays the geometry over the picture and directs drawing there.
   void resolve();

@@ -20,10 +20,10 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// Colours that people with any of the common colour blindnesses tell apart (Okabe and Ito 2008), the yellow left out
-/// as it is too faint on white: blue, vermillion, green, purple, orange, sky blue, black.
-inline constexpr std::array<Color, 7> palette = {Color::hex(0x0072B2), Color::hex(0xD55E00), Color::hex(0x009E73),
-                                                 Color::hex(0xCC79A7), Color::hex(0xE69F00), Color::hex(0x56B4E9),
-                                                 Color::hex(0x000000)};
+/// Colours that people with any of the common colour blindnesses tell apart (Okabe and Ito 2008), the yellow
+/// left out as it is too faint on white: blue, vermillion, green, purple, orange, sky blue, black.
+inline constexpr std::array<Color, 7> palette = {
+    Color::hex(0x0072B2), Color::hex(0xD55E00), Color::hex(0x009E73), Color::hex(0xCC79A7),
+    Color::hex(0xE69F00), Color::hex(0x56B4E9), Color::hex(0x000000)};
 
 }  // namespace plumb

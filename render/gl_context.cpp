@@ -25,8 +25,8 @@ void load(Function& function, const char* name) {
 void refuse_crashing_environment() {
   const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
   if (width != nullptr && std::strtol(width, nullptr, 10) >= 512)
-    throw OutputError(
-        fmt::format("LP_NATIVE_VECTOR_WIDTH={}: the software renderer crashes with it; unset it or use 256", width));
+    throw OutputError(fmt::format(
+        "LP_NATIVE_VECTOR_WIDTH={}: the software renderer crashes with it; unset it or use 256", width));
 }
 
 const char* error_name(GLenum error) {
@@ -94,11 +94,15 @@ GlContext::GlContext() : window_(std::size_t{4} * window_size * window_size) {
 
 GlContext::~GlContext() = default;
 
-void GlContext::make_current() const {
+bool GlContext::try_current() const noexcept {
   const auto context = static_cast<OSMesaContext>(context_.get());
-  if (OSMesaGetCurrentContext() == context) return;
-  if (OSMesaMakeCurrent(context, window_.data(), GL_UNSIGNED_BYTE, window_size, window_size) == GL_FALSE)
-    throw OutputError("OpenGL: OSMesa cannot make its context current");
+  return OSMesaGetCurrentContext() == context ||
+         OSMesaMakeCurrent(context, window_.data(), GL_UNSIGNED_BYTE, window_size, window_size) == GL_TRUE;
+}
+
+const GlContext& GlContext::make_current() const {
+  if (!try_current()) throw OutputError("OpenGL: OSMesa cannot make its context current");
+  return *this;
 }
 
 void GlContext::check(const std::string& task) const {
@@ -108,14 +112,14 @@ void GlContext::check(const std::string& task) const {
 
 void GlContext::check_size(int width, int height, int supersampling) const {
   if (width < 1 || height < 1 || supersampling < 1)
-    throw OutputError(fmt::format("a picture of {} x {} pixels with {} x {} samples: all must be at least 1", width,
-                                  height, supersampling, supersampling));
+    throw OutputError(fmt::format("a picture of {} x {} pixels with {} x {} samples: all must be at least 1",
+                                  width, height, supersampling, supersampling));
   // Divided rather than multiplied, so that no product overflows.
   const int limit = info_.max_size / supersampling;
   if (width > limit || height > limit)
     throw OutputError(
-        fmt::format("a picture of {} x {} pixels with {} x {} samples: at most {} pixels a side can be drawn", width,
-                    height, supersampling, supersampling, limit));
+        fmt::format("a picture of {} x {} pixels with {} x {} samples: at most {} pixels a side can be drawn",
+                    width, height, supersampling, supersampling, limit));
 }
 
 }  // namespace plumb

@@ -16,8 +16,8 @@ struct GlInfo {
   int max_samples = 0;   ///< samples a pixel of a multisampled texture
 };
 
-/// An OpenGL core profile, 3.3 or above, without a display or a window (OSMesa). It belongs to the thread that uses
-/// it: every class that draws makes it current first.
+/// An OpenGL core profile, 3.3 or above, without a display or a window (OSMesa). It belongs to the thread
+/// that uses it: every class that draws makes it current first.
 class GlContext {
  public:
   /// Throws OutputError when no context can be had, or when the environment would crash the driver.
@@ -29,8 +29,10 @@ class GlContext {
   const GlInfo& info() const { return info_; }
   const Gl& gl() const { return *gl_; }
 
-  /// Throws OutputError.
-  void make_current() const;
+  /// Makes this the context that OpenGL calls of this thread go to, and returns it. Throws OutputError.
+  const GlContext& make_current() const;
+  /// The same for destructors: false when it cannot be done.
+  bool try_current() const noexcept;
 
   /// Throws OutputError that names `task` and the error, if OpenGL has recorded one.
   void check(const std::string& task) const;
@@ -45,7 +47,8 @@ class GlContext {
 
   std::unique_ptr<void, Release> context_;
   std::unique_ptr<Gl> gl_;
-  mutable std::vector<unsigned char> window_;  // OSMesa wants a buffer of its own; everything is drawn to others
+  mutable std::vector<unsigned char>
+      window_;  // OSMesa wants a buffer of its own; everything is drawn to others
   GlInfo info_;
 };
 

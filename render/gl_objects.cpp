@@ -26,7 +26,8 @@ GLuint compile(const GlContext& context, GLenum kind, std::string_view source) {
 
 }  // namespace
 
-GlProgram::GlProgram(const GlContext& context, std::string_view vertex_source, std::string_view fragment_source)
+GlProgram::GlProgram(const GlContext& context, std::string_view vertex_source,
+                     std::string_view fragment_source)
     : context_(context) {
   const Gl& gl = context.gl();
   id_ = gl.CreateProgram();
@@ -45,13 +46,21 @@ GlProgram::GlProgram(const GlContext& context, std::string_view vertex_source, s
   throw OutputError(fmt::format("OpenGL: a shader does not link: {}", log));
 }
 
-GlProgram::~GlProgram() { context_.gl().DeleteProgram(id_); }
+GlProgram::~GlProgram() {
+  if (context_.try_current()) context_.gl().DeleteProgram(id_);
+}
 
-void GlProgram::use() const { context_.gl().UseProgram(id_); }
+void GlProgram::use() const {
+  context_.gl().UseProgram(id_);
+}
 
-void GlProgram::set(const char* name, int value) const { context_.gl().Uniform1i(location(name), value); }
+void GlProgram::set(const char* name, int value) const {
+  context_.gl().Uniform1i(location(name), value);
+}
 
-void GlProgram::set(const char* name, float value) const { context_.gl().Uniform1f(location(name), value); }
+void GlProgram::set(const char* name, float value) const {
+  context_.gl().Uniform1f(location(name), value);
+}
 
 void GlProgram::set(const char* name, float x, float y) const {
   context_.gl().Uniform2f(location(name), x, y);
@@ -98,11 +107,13 @@ void VertexBuffer::upload(std::span<const float> data) {
 
 void VertexBuffer::upload_indices(std::span<const unsigned> indices) {
   bind();
-  context_->gl().BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
-                            GL_STATIC_DRAW);
+  context_->gl().BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()),
+                            indices.data(), GL_STATIC_DRAW);
   index_count_ = static_cast<int>(indices.size());
 }
 
-void VertexBuffer::bind() const { context_->gl().BindVertexArray(array_.id()); }
+void VertexBuffer::bind() const {
+  context_->gl().BindVertexArray(array_.id());
+}
 
 }  // namespace plumb

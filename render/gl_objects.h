@@ -17,7 +17,7 @@ class GlObject {
  public:
   explicit GlObject(const GlContext& context) : context_(&context) { (context.gl().*Generate)(1, &id_); }
   ~GlObject() {
-    if (id_ != 0) (context_->gl().*Delete)(1, &id_);
+    if (id_ != 0 && context_->try_current()) (context_->gl().*Delete)(1, &id_);
   }
   GlObject(GlObject&& other) noexcept : context_(other.context_), id_(std::exchange(other.id_, 0)) {}
   GlObject& operator=(GlObject&& other) noexcept {

@@ -23,7 +23,9 @@ double entry_width(const Series& series, const PlotSizes& sizes, const Font& fon
   return legend_sample(sizes) + sizes.gap + font.measure(series.label, sizes.legend).width;
 }
 
-double row_height(const PlotSizes& sizes) { return 1.3 * sizes.legend.size; }
+double row_height(const PlotSizes& sizes) {
+  return 1.3 * sizes.legend.size;
+}
 
 // Places of the data a few pixels apart.
 std::vector<Point> samples(const Panel& panel, const PanelLayout& layout, double apart) {
@@ -44,14 +46,15 @@ std::vector<Point> samples(const Panel& panel, const PanelLayout& layout, double
 
 }  // namespace
 
-std::optional<LegendLayout> legend_inside(const Panel& panel, const PanelLayout& layout, const PlotSizes& sizes,
-                                          const Font& font) {
+std::optional<LegendLayout> legend_inside(const Panel& panel, const PanelLayout& layout,
+                                          const PlotSizes& sizes, const Font& font) {
   LegendLayout legend;
   legend.series = labelled(panel);
   if (legend.series.empty()) return std::nullopt;
   const double pad = 0.5 * sizes.gap + sizes.frame;
   double width = 0;
-  for (const std::size_t i : legend.series) width = std::max(width, entry_width(panel.series[i], sizes, font));
+  for (const std::size_t i : legend.series)
+    width = std::max(width, entry_width(panel.series[i], sizes, font));
   width += 2 * pad;
   const double height = row_height(sizes) * static_cast<double>(legend.series.size()) + 2 * pad;
   const Rect& frame = layout.frame;
@@ -76,8 +79,9 @@ std::optional<LegendLayout> legend_inside(const Panel& panel, const PanelLayout&
   }
   if (static_cast<double>(least) > bearable_cover * static_cast<double>(data.size())) return std::nullopt;
   for (std::size_t i = 0; i < legend.series.size(); ++i)
-    legend.at.emplace_back(legend.box.left + pad, legend.box.top + pad + row_height(sizes) * static_cast<double>(i) +
-                                                      0.98 * sizes.legend.size);
+    legend.at.emplace_back(
+        legend.box.left + pad,
+        legend.box.top + pad + row_height(sizes) * static_cast<double>(i) + 0.98 * sizes.legend.size);
   return legend;
 }
 

@@ -21,17 +21,18 @@ Motion::Motion(const Trajectory& trajectory) : trajectory_(trajectory) {
   if (count == 0) throw OutputError("the run has no outputs: nothing to draw");
   if (trajectory.elements < 1 || !(trajectory.element_length > 0) || trajectory.q.size() != count ||
       trajectory.v.size() != count)
-    throw OutputError(fmt::format("the run cannot be drawn: {} elements of {} m, {} times, {} states, {} rates",
-                                  trajectory.elements, trajectory.element_length, count, trajectory.q.size(),
-                                  trajectory.v.size()));
+    throw OutputError(fmt::format(
+        "the run cannot be drawn: {} elements of {} m, {} times, {} states, {} rates", trajectory.elements,
+        trajectory.element_length, count, trajectory.q.size(), trajectory.v.size()));
   const Eigen::Index size = 6 * (trajectory.elements + 1);
   const double limit = farthest * trajectory.element_length * trajectory.elements;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::VectorXd& q = trajectory.q[i];
     const Eigen::VectorXd& v = trajectory.v[i];
     if (q.size() != size || v.size() != size)
-      throw OutputError(fmt::format("the run cannot be drawn: output {} has {} coordinates and {} rates instead of {}",
-                                    i, q.size(), v.size(), size));
+      throw OutputError(
+          fmt::format("the run cannot be drawn: output {} has {} coordinates and {} rates instead of {}", i,
+                      q.size(), v.size(), size));
     if (!q.allFinite() || !v.allFinite())
       throw OutputError(
           fmt::format("the run cannot be drawn: the state at {} s is not finite", trajectory.times[i]));
@@ -49,7 +50,8 @@ Eigen::VectorXd Motion::state(double time) const {
   const auto i = static_cast<std::size_t>(after - times.begin()) - 1;
   const double interval = times[i + 1] - times[i];
   const auto s = Hermite::values((time - times[i]) / interval, interval);
-  return s[0] * trajectory_.q[i] + s[1] * trajectory_.v[i] + s[2] * trajectory_.q[i + 1] + s[3] * trajectory_.v[i + 1];
+  return s[0] * trajectory_.q[i] + s[1] * trajectory_.v[i] + s[2] * trajectory_.q[i + 1] +
+         s[3] * trajectory_.v[i + 1];
 }
 
 std::vector<CurvePoint> Motion::curve(const Eigen::VectorXd& state, int per_element) const {

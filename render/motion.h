@@ -18,8 +18,8 @@ struct CurvePoint {
 /// A finished run as a motion: states at any time and the cable's shape in them.
 class Motion {
  public:
-  /// `trajectory` must outlive it. Throws OutputError when it has no outputs, or one that cannot be drawn: not finite,
-  /// of the wrong size, or a million cable lengths away.
+  /// `trajectory` must outlive it. Throws OutputError when it has no outputs, or one that cannot be drawn:
+  /// not finite, of the wrong size, or a million cable lengths away.
   explicit Motion(const Trajectory& trajectory);
 
   /// Time of the last output, s.

@@ -16,8 +16,8 @@ constexpr std::array<int, 2> shape_components = {4, 3};
 
 enum class Form { capsule, square, diamond };
 
-void add_shape(std::vector<float>& shapes, const Point& a, const Point& b, double half_width, double half_stroke,
-               Form form) {
+void add_shape(std::vector<float>& shapes, const Point& a, const Point& b, double half_width,
+               double half_stroke, Form form) {
   for (const double value : {a.x(), a.y(), b.x(), b.y(), half_width, half_stroke})
     shapes.push_back(static_cast<float>(value));
   shapes.push_back(static_cast<float>(form));
@@ -26,7 +26,7 @@ void add_shape(std::vector<float>& shapes, const Point& a, const Point& b, doubl
 }  // namespace
 
 Painter::Painter(const GlContext& context)
-    : context_((context.make_current(), context)),
+    : context_(context.make_current()),
       shapes_(context, shape_vert, shape_frag),
       coverage_(context, fullscreen_vert, coverage_frag),
       text_(context, text_vert, text_frag),
@@ -49,15 +49,19 @@ void Painter::clip(const Rect& rect) {
                         bottom - static_cast<int>(std::floor(rect.top)));
 }
 
-void Painter::clip_nothing() { context_.gl().Disable(GL_SCISSOR_TEST); }
+void Painter::clip_nothing() {
+  context_.gl().Disable(GL_SCISSOR_TEST);
+}
 
 void Painter::line(std::span<const Point> points, double width, Color color, Dash dash) {
   std::vector<float> shapes;
-  for (const auto& [a, b] : dash_segments(points, dash, width)) add_shape(shapes, a, b, width / 2, 0, Form::capsule);
+  for (const auto& [a, b] : dash_segments(points, dash, width))
+    add_shape(shapes, a, b, width / 2, 0, Form::capsule);
   draw_shapes(shapes, color);
 }
 
-void Painter::markers(std::span<const Point> points, Marker marker, double diameter, double stroke, Color color) {
+void Painter::markers(std::span<const Point> points, Marker marker, double diameter, double stroke,
+                      Color color) {
   std::vector<float> shapes;
   const double radius = diameter / 2;
   for (const Point& p : points) {
@@ -114,7 +118,8 @@ void Painter::text(std::string_view text, TextStyle style, double x, double y, A
   stamp(font_.draw(text, style), x, y, color);
 }
 
-void Painter::turned_text(std::string_view text, TextStyle style, double x, double y, Align align, Color color) {
+void Painter::turned_text(std::string_view text, TextStyle style, double x, double y, Align align,
+                          Color color) {
   if (text.empty()) return;
   const double width = font_.measure(text, style).width;
   if (align == Align::center) y += width / 2;
@@ -132,9 +137,9 @@ void Painter::stamp(const TextBitmap& bitmap, double x, double y, Color color) {
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   text_.use();
   text_.set("size", static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
-  text_.set("box",
-            Color{static_cast<float>(std::round(x) - bitmap.left), static_cast<float>(std::round(y) - bitmap.base),
-                  static_cast<float>(bitmap.width), static_cast<float>(bitmap.height)});
+  text_.set("box", Color{static_cast<float>(std::round(x) - bitmap.left),
+                         static_cast<float>(std::round(y) - bitmap.base), static_cast<float>(bitmap.width),
+                         static_cast<float>(bitmap.height)});
   text_.set("ink", color);
   text_.set("solid", 0);
   gl.BindVertexArray(no_attributes_.id());

@@ -9,9 +9,10 @@
 
 namespace plumb {
 
-/// Draws flat, anti-aliased shapes and text on a canvas. Lengths are in pixels from the top left corner, and (0.5, 0.5)
-/// is the middle of the first pixel. A line is drawn into a mask first, where overlapping pieces take the greater
-/// coverage: so joins are round, and neither they nor crossings darken a translucent line or thicken an edge.
+/// Draws flat, anti-aliased shapes and text on a canvas. Lengths are in pixels from the top left corner, and
+/// (0.5, 0.5) is the middle of the first pixel. A line is drawn into a mask first, where overlapping pieces
+/// take the greater coverage: so joins are round, and neither they nor crossings darken a translucent line or
+/// thicken an edge.
 class Painter {
  public:
   explicit Painter(const GlContext& context);

@@ -32,8 +32,12 @@ struct PanelRanges {
 };
 
 AxisRange given_range(const std::array<double, 2>& range) {
-  if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || !(range[0] < range[1]))
-    throw OutputError(fmt::format("plot: an axis from {} to {}: must be finite and ascending", range[0], range[1]));
+  // Between closer ends, neighbouring ticks would be the same number.
+  const double least = 1e-9 * std::max(std::abs(range[0]), std::abs(range[1]));
+  if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || !(range[1] - range[0] > least))
+    throw OutputError(
+        fmt::format("plot: an axis from {} to {}: must be finite, ascending and further apart than {:.3g}",
+                    range[0], range[1], least));
   return {range[0], range[1]};
 }
 
@@ -92,7 +96,8 @@ void check(const Plot& plot) {
         throw OutputError(fmt::format("plot: series '{}' has {} x and {} y", series.label, series.x.size(),
                                       series.y.size()));
     if (!(panel.height_share > 0))
-      throw OutputError(fmt::format("plot: a panel's height share of {}: must be greater than 0", panel.height_share));
+      throw OutputError(
+          fmt::format("plot: a panel's height share of {}: must be greater than 0", panel.height_share));
   }
   if (!(plot.font_size > 0))
     throw OutputError(fmt::format("plot: a font size of {}: must be greater than 0", plot.font_size));
@@ -119,8 +124,8 @@ class Stack {
       layout.panels[p].y.range = ranges[p].y;
       layout.panels[p].x.range = ranges[p].x;
     }
-    // The widest y labels set the left end of all frames. With equal axes the labels depend on the frame in turn: the
-    // second pass has the frame of the first, which is close enough for the labels to be the same.
+    // The widest y labels set the left end of all frames. With equal axes the labels depend on the frame in
+    // turn: the second pass has the frame of the first, which is close enough for the labels to be the same.
     double left = sizes_.gap;
     for (int pass = 0; pass < 2; ++pass) {
       double room = 0;
@@ -157,7 +162,9 @@ class Stack {
   }
 
  private:
-  bool shows_x(std::size_t p) const { return !plot_.panels[p].shares_x_below || p + 1 == plot_.panels.size(); }
+  bool shows_x(std::size_t p) const {
+    return !plot_.panels[p].shares_x_below || p + 1 == plot_.panels.size();
+  }
 
   double right_margin() const { return sizes_.gap + sizes_.tick.size; }  // half a tick label
 
@@ -187,8 +194,8 @@ class Stack {
       PanelLayout& panel = layout.panels[p];
       const double height = free * plot_.panels[p].height_share / shares;
       if (height < 2 * sizes_.tick.size)
-        throw OutputError(fmt::format("plot: {} x {} pixels are too few for {} panels with a font of {}", plot_.width,
-                                      plot_.height, plot_.panels.size(), plot_.font_size));
+        throw OutputError(fmt::format("plot: {} x {} pixels are too few for {} panels with a font of {}",
+                                      plot_.width, plot_.height, plot_.panels.size(), plot_.font_size));
       panel.title_base = top + legend_heights[p] + 1.05 * sizes_.panel_title.size;
       top += head(p, legend_heights[p]);
       panel.frame.top = std::round(top);
@@ -244,8 +251,9 @@ PlotLayout plot_layout(const Plot& plot, const Font& font) {
     if (!has_legend(panel)) {
       ++p;
     } else if (legend_heights[p] > 0) {
-      placed.legend = legend_rows(panel, placed.frame.left, placed.frame.top - stack.head(p, legend_heights[p]),
-                                  placed.frame.width(), stack.sizes(), font);
+      placed.legend =
+          legend_rows(panel, placed.frame.left, placed.frame.top - stack.head(p, legend_heights[p]),
+                      placed.frame.width(), stack.sizes(), font);
       ++p;
     } else if ((placed.legend = legend_inside(panel, placed, stack.sizes(), font))) {
       ++p;
@@ -274,6 +282,8 @@ std::string exponent_label(int exponent) {
   return fmt::format("\u00d710^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
-double legend_sample(const PlotSizes& sizes) { return 1.6 * sizes.legend.size; }
+double legend_sample(const PlotSizes& sizes) {
+  return 1.6 * sizes.legend.size;
+}
 
 }  // namespace plumb

@@ -26,7 +26,7 @@ struct PlotSizes {
   int frame;           ///< width of a panel's outline
   int grid;
   double tick_length;
-  double gap;          ///< between things that stand beside each other
+  double gap;  ///< between things that stand beside each other
 };
 
 /// The way from data to pixels along one axis.
@@ -42,9 +42,9 @@ struct AxisMap {
 
 struct LegendLayout {
   Rect box;
-  bool outside = false;            ///< above the panel, as no place inside was free of data
-  std::vector<std::size_t> series; ///< indices of the entries
-  std::vector<Point> at;           ///< left end of each entry's base line
+  bool outside = false;             ///< above the panel, as no place inside was free of data
+  std::vector<std::size_t> series;  ///< indices of the entries
+  std::vector<Point> at;            ///< left end of each entry's base line
 };
 
 struct PanelLayout {
@@ -53,11 +53,11 @@ struct PanelLayout {
   AxisMap y;
   AxisTicks x_ticks;
   AxisTicks y_ticks;
-  bool x_labels = true;        ///< false where the panel below shows them
-  double title_base = 0;       ///< base lines of what stands around the frame, pixels
+  bool x_labels = true;   ///< false where the panel below shows them
+  double title_base = 0;  ///< base lines of what stands around the frame, pixels
   double x_tick_base = 0;
   double x_label_base = 0;
-  double y_label_base = 0;     ///< of the turned text: an x
+  double y_label_base = 0;  ///< of the turned text: an x
   double y_exponent_base = 0;
   std::optional<LegendLayout> legend;
 };
@@ -68,7 +68,8 @@ struct PlotLayout {
 };
 
 /// Where everything in a plot goes. Needs the font, but nothing that draws.
-/// Throws OutputError when a series' x and y differ in number, a given range is not one, or the plot is too small.
+/// Throws OutputError when a series' x and y differ in number, a given range is not one, or the plot is too
+/// small.
 PlotLayout plot_layout(const Plot& plot, const Font& font);
 
 /// Points of a series in pixels; those that are not finite stay so.

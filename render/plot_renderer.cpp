@@ -18,6 +18,13 @@ Color color_of(const Panel& panel, std::size_t series) {
   return panel.series[series].color.value_or(palette[series % palette.size()]);
 }
 
+// A text's style, smaller where the text would not fit.
+TextStyle fitted(const Painter& painter, std::string_view text, TextStyle style, double room) {
+  const double width = painter.font().measure(text, style).width;
+  if (width > room) style.size *= room / width;
+  return style;
+}
+
 class PanelDrawing {
  public:
   PanelDrawing(Painter& painter, const Panel& panel, const PanelLayout& layout, const PlotSizes& sizes)
@@ -76,17 +83,21 @@ class PanelDrawing {
       const double y = layout_.y(layout_.y_ticks.major[i]);
       const double top = std::round(y - sizes_.frame / 2.0);
       painter_.fill({frame.left - sizes_.tick_length, top, frame.left, top + sizes_.frame}, ink);
-      painter_.text(layout_.y_ticks.labels[i], sizes_.tick, frame.left - sizes_.tick_length - 0.5 * sizes_.gap,
-                    y + middle_of_digits, Align::right, ink);
+      painter_.text(layout_.y_ticks.labels[i], sizes_.tick,
+                    frame.left - sizes_.tick_length - 0.5 * sizes_.gap, y + middle_of_digits, Align::right,
+                    ink);
     }
     painter_.text(exponent_label(layout_.y_ticks.exponent), sizes_.tick, frame.left, layout_.y_exponent_base,
                   Align::left, ink);
-    painter_.turned_text(panel_.y.label, sizes_.label, layout_.y_label_base, (frame.top + frame.bottom) / 2,
+    const TextStyle y_style = fitted(painter_, panel_.y.label, sizes_.label, frame.height() + 2 * sizes_.gap);
+    painter_.turned_text(panel_.y.label, y_style, layout_.y_label_base, (frame.top + frame.bottom) / 2,
                          Align::center, ink);
     const double middle = (frame.left + frame.right) / 2;
-    painter_.text(panel_.title, sizes_.panel_title, middle, layout_.title_base, Align::center, ink);
+    painter_.text(panel_.title, fitted(painter_, panel_.title, sizes_.panel_title, frame.width()), middle,
+                  layout_.title_base, Align::center, ink);
     if (!layout_.x_labels) return;
-    painter_.text(panel_.x.label, sizes_.label, middle, layout_.x_label_base, Align::center, ink);
+    painter_.text(panel_.x.label, fitted(painter_, panel_.x.label, sizes_.label, frame.width()), middle,
+                  layout_.x_label_base, Align::center, ink);
     painter_.text(exponent_label(layout_.x_ticks.exponent), sizes_.tick, frame.right, layout_.x_label_base,
                   Align::right, ink);
   }
@@ -131,7 +142,8 @@ Image PlotRenderer::draw(const Plot& plot) {
   Canvas canvas(context_, plot.width, plot.height);
   canvas.begin_flat(paper);
   painter_.begin(canvas);
-  painter_.text(plot.title, sizes.title, plot.width / 2.0, layout.title_base, Align::center, ink);
+  painter_.text(plot.title, fitted(painter_, plot.title, sizes.title, plot.width - 2 * sizes.gap),
+                plot.width / 2.0, layout.title_base, Align::center, ink);
   for (std::size_t p = 0; p < plot.panels.size(); ++p)
     PanelDrawing(painter_, plot.panels[p], layout.panels[p], sizes).draw();
   return canvas.read();

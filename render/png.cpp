@@ -12,8 +12,8 @@ namespace plumb {
 
 namespace {
 
-// Measured on frames and plots: drawings with flat areas are smallest, and soonest written, without a filter. Level 9
-// would save another 5 to 10 % and take four times as long.
+// Measured on frames and plots: drawings with flat areas are smallest, and soonest written, without a filter.
+// Level 9 would save another 5 to 10 % and take four times as long.
 constexpr int compression_level = 6;
 constexpr int filters = PNG_FILTER_NONE;
 constexpr unsigned max_side = 16384;
@@ -56,10 +56,11 @@ bool write(png_structp png, png_infop info, const Image& image, const std::vecto
 }  // namespace
 
 std::string encode_png(const Image& image, const PngTexts& texts) {
-  const std::size_t size = std::size_t{3} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  const std::size_t size =
+      std::size_t{3} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.width < 1 || image.height < 1 || image.rgb.size() != size)
-    throw OutputError(fmt::format("PNG: a picture of {} x {} pixels with {} bytes cannot be written", image.width,
-                                  image.height, image.rgb.size()));
+    throw OutputError(fmt::format("PNG: a picture of {} x {} pixels with {} bytes cannot be written",
+                                  image.width, image.height, image.rgb.size()));
   std::vector<png_text> entries;
   for (const auto& [key, value] : texts) {
     png_text entry{};

@@ -16,8 +16,8 @@ using PngTexts = std::vector<std::pair<std::string, std::string>>;
 /// Throws OutputError when the picture is empty or libpng refuses it.
 std::string encode_png(const Image& image, const PngTexts& texts = {});
 
-/// The picture in the bytes of a PNG file of any kind, on white where it is transparent; of an animated one, its first
-/// frame. Throws InputError that names `name` on bad data or more than 16384 pixels a side.
+/// The picture in the bytes of a PNG file of any kind, on white where it is transparent; of an animated one,
+/// its first frame. Throws InputError that names `name` on bad data or more than 16384 pixels a side.
 Image decode_png(std::string_view bytes, const std::string& name);
 
 }  // namespace plumb

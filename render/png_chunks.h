@@ -15,8 +15,8 @@ struct PngChunk {
 
 inline constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 
-/// The chunks of a PNG file, from IHDR to IEND, as views into `bytes`. Throws InputError that names `name` when the
-/// file is not a PNG, ends early, or a check sum is wrong.
+/// The chunks of a PNG file, from IHDR to IEND, as views into `bytes`. Throws InputError that names `name`
+/// when the file is not a PNG, ends early, or a check sum is wrong.
 std::vector<PngChunk> png_chunks(std::string_view bytes, const std::string& name);
 
 /// Appends a chunk with its length and check sum.

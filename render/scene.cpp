@@ -25,12 +25,12 @@ constexpr Color trail_color = Color::hex(0xD55E00);
 constexpr Color ink = Color::hex(0x2B3038);
 constexpr Color quiet_ink = Color::hex(0x5A626E);
 
-constexpr int shadow_size = 1024;          // texels a side
-constexpr double trail_frames = 32;        // how many frames ago the trail has faded out
-constexpr int trail_pieces = 8;            // of the trail, a frame
-constexpr double thinnest = 1.0 / 150;     // radius as drawn, in cable lengths
-constexpr double support_reach = 5;        // of a support around the cable's end, in its radii
-constexpr double end_tolerance = 1e-6;     // of a frame: the last output may be short of it by rounding
+constexpr int shadow_size = 512;        // texels a side
+constexpr double trail_frames = 32;     // how many frames ago the trail has faded out
+constexpr int trail_pieces = 8;         // of the trail, a frame
+constexpr double thinnest = 1.0 / 150;  // radius as drawn, in cable lengths
+constexpr double support_reach = 5;     // of a support around the cable's end, in its radii
+constexpr double end_tolerance = 1e-6;  // of a frame: the last output may be short of it by rounding
 
 constexpr std::array<int, 2> mesh_components = {3, 3};
 constexpr std::array<int, 2> shadow_components = {4, 3};
@@ -44,7 +44,8 @@ double drawn_radius(const SceneInput& input) {
 // Decimals that tell the times of frames apart.
 int decimals(double interval) {
   int n = 0;
-  for (double scaled = interval; n < 6 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled; scaled *= 10) ++n;
+  for (double scaled = interval; n < 6 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled; scaled *= 10)
+    ++n;
   return n;
 }
 
@@ -112,8 +113,8 @@ class SceneRenderer::Drawing {
   }
 
  private:
-  // As many pieces and sides as it takes for none to show: a polygon around a circle of r pixels is inside it by
-  // r (1 - cos(π/n)), which is kept to a twelfth of a pixel.
+  // As many pieces and sides as it takes for none to show: a polygon around a circle of r pixels is inside it
+  // by r (1 - cos(π/n)), which is kept to a twelfth of a pixel.
   void choose_detail() {
     double pixels = 0;
     double along = 0;
@@ -264,7 +265,9 @@ class SceneRenderer::Drawing {
     context_.gl().DrawElements(GL_TRIANGLES, buffer.index_count(), GL_UNSIGNED_INT, nullptr);
   }
 
-  void draw_cable(const std::vector<CurvePoint>& curve) { draw_mesh(mesh_, tube_mesh(curve, radius_, sides_), cable_color); }
+  void draw_cable(const std::vector<CurvePoint>& curve) {
+    draw_mesh(mesh_, tube_mesh(curve, radius_, sides_), cable_color);
+  }
 
   void draw_supports(const std::vector<CurvePoint>& curve) {
     draw_support(input_.supports.first, curve.front());
@@ -291,7 +294,8 @@ class SceneRenderer::Drawing {
     const double oldest = time - trail_frames / input_.spec.frame_rate;
     std::vector<Vec3> places;
     const auto count = static_cast<double>(tip_path_.size());
-    for (double k = std::max(0.0, std::ceil(oldest / trail_interval_)); k < count && k * trail_interval_ < time; k += 1)
+    for (double k = std::max(0.0, std::ceil(oldest / trail_interval_));
+         k < count && k * trail_interval_ < time; k += 1)
       places.push_back(tip_path_[static_cast<std::size_t>(k)]);
     places.push_back(motion_.tip(motion_.state(time)));
     return places;
@@ -315,8 +319,8 @@ class SceneRenderer::Drawing {
     const double size = std::max(11.0, height / 27);
     const double margin = 1.1 * size;
     const double base = height - margin;
-    painter_.text(fmt::format("t = {:.{}f} s", time, decimals(1 / input_.spec.frame_rate)), {size}, margin, base,
-                  Align::left, ink);
+    painter_.text(fmt::format("t = {:.{}f} s", time, decimals(1 / input_.spec.frame_rate)), {size}, margin,
+                  base, Align::left, ink);
 
     TextStyle title{1.05 * size, Weight::bold};
     const double wide = painter_.font().measure(input_.title, title).width;
@@ -334,8 +338,8 @@ class SceneRenderer::Drawing {
     painter_.fill({right - length, bar, right, bar + thick}, quiet_ink);
     painter_.fill({right - length, bar - tick, right - length + thick, bar}, quiet_ink);
     painter_.fill({right - thick, bar - tick, right, bar}, quiet_ink);
-    painter_.text(fmt::format("{:g} m", metres), {0.85 * size}, right - length / 2, bar - tick - 0.2 * size, Align::center,
-                  quiet_ink);
+    painter_.text(fmt::format("{:g} m", metres), {0.85 * size}, right - length / 2, bar - tick - 0.2 * size,
+                  Align::center, quiet_ink);
   }
 
   const GlContext& context_;
@@ -369,12 +373,8 @@ class SceneRenderer::Drawing {
 };
 
 SceneInput scene_input(const Case& the_case) {
-  return {the_case.scene,
-          the_case.cable.length,
-          std::sqrt(the_case.cable.area / std::numbers::pi),
-          the_case.supports,
-          the_case.loads.gravity,
-          the_case.title};
+  return {the_case.scene,    the_case.cable.length,  std::sqrt(the_case.cable.area / std::numbers::pi),
+          the_case.supports, the_case.loads.gravity, the_case.title};
 }
 
 SceneRenderer::SceneRenderer(const GlContext& context, const Trajectory& trajectory, const SceneInput& input)
@@ -383,17 +383,25 @@ SceneRenderer::SceneRenderer(const GlContext& context, const Trajectory& traject
 SceneRenderer::~SceneRenderer() = default;
 
 int SceneRenderer::frame_count() const {
-  return 1 + static_cast<int>(std::floor(drawing_->motion().end() * drawing_->spec().frame_rate + end_tolerance));
+  constexpr double most = 1e9;  // what an int holds
+  return 1 + static_cast<int>(std::min(
+                 most, std::floor(drawing_->motion().end() * drawing_->spec().frame_rate + end_tolerance)));
 }
 
 double SceneRenderer::frame_time(int k) const {
   return std::min(k / drawing_->spec().frame_rate, drawing_->motion().end());
 }
 
-Image SceneRenderer::frame(int k) { return at(frame_time(k)); }
+Image SceneRenderer::frame(int k) {
+  return at(frame_time(k));
+}
 
-Image SceneRenderer::at(double time) { return drawing_->draw(std::clamp(time, 0.0, drawing_->motion().end())); }
+Image SceneRenderer::at(double time) {
+  return drawing_->draw(std::clamp(time, 0.0, drawing_->motion().end()));
+}
 
-Point SceneRenderer::pixel(const Vec3& place) const { return drawing_->camera().pixel(place); }
+Point SceneRenderer::pixel(const Vec3& place) const {
+  return drawing_->camera().pixel(place);
+}
 
 }  // namespace plumb

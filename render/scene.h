@@ -27,8 +27,8 @@ SceneInput scene_input(const Case& the_case);
 /// Draws the moving cable: frames of an animation, or the picture at any time up to the last output.
 class SceneRenderer {
  public:
-  /// `context` and `trajectory` must outlive it. Throws OutputError when the run has no outputs or a state that is not
-  /// finite, when the picture is too large, or when the camera has no view.
+  /// `context` and `trajectory` must outlive it. Throws OutputError when the run has no outputs or a state
+  /// that is not finite, when the picture is too large, or when the camera has no view.
   SceneRenderer(const GlContext& context, const Trajectory& trajectory, const SceneInput& input);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;

@@ -22,13 +22,15 @@ std::vector<Vec3> places_of(const Motion& motion) {
   const int per_element = std::max(1, 48 / motion.elements());
   std::vector<Vec3> places;
   for (std::size_t i = 0; i < motion.output_count(); i += stride)
-    for (const CurvePoint& point : motion.curve(motion.output(i), per_element)) places.push_back(point.position);
+    for (const CurvePoint& point : motion.curve(motion.output(i), per_element))
+      places.push_back(point.position);
   for (const CurvePoint& point : motion.curve(motion.output(motion.output_count() - 1), per_element))
     places.push_back(point.position);
   return places;
 }
 
-// Direction in the ground along which the motion spreads most, as an angle from `across`; 0 where it spreads alike.
+// Direction in the ground along which the motion spreads most, as an angle from `across`; 0 where it spreads
+// alike.
 double main_direction(const std::vector<Eigen::Vector2d>& spread) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const auto& p : spread) mean += p / static_cast<double>(spread.size());
@@ -75,7 +77,8 @@ Stage make_stage(const Motion& motion, double length, double radius, const Vec3&
   const Vec3 middle = stage.origin + stage.middle.x() * stage.across + stage.middle.y() * stage.forward;
   stage.center = middle;
   stage.radius = stage.ground_radius;
-  for (const Vec3& place : places) stage.radius = std::max(stage.radius, (place - middle).norm() + 4 * radius);
+  for (const Vec3& place : places)
+    stage.radius = std::max(stage.radius, (place - middle).norm() + 4 * radius);
 
   if (camera) {
     stage.camera = *camera;

@@ -119,7 +119,8 @@ TextBitmap Font::draw(std::string_view text, TextStyle style) const {
   std::vector<Placed> placed;
   const double way = faces_->place(text, style, placed);
 
-  // Glyphs may reach beyond the pen's way and the font's height; half an em around holds every one of DejaVu's.
+  // Glyphs may reach beyond the pen's way and the font's height; half an em around holds every one of
+  // DejaVu's.
   const int margin = static_cast<int>(std::ceil(style.size / 2));
   const TextExtent extent = measure(text, style);
   TextBitmap bitmap;

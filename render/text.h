@@ -30,9 +30,9 @@ struct TextBitmap {
   std::vector<std::uint8_t> coverage;
 };
 
-/// DejaVu Sans, regular and bold. Texts are UTF-8 in one line; bytes that are not become U+FFFD. `^{…}` sets what it
-/// encloses as a superscript: "×10^{−5}". Glyphs are not hinted and stand at fractions of a pixel, so that a text's
-/// shape does not depend on where it stands or how large it is.
+/// DejaVu Sans, regular and bold. Texts are UTF-8 in one line; bytes that are not become U+FFFD. `^{…}` sets
+/// what it encloses as a superscript: "×10^{−5}". Glyphs are not hinted and stand at fractions of a pixel, so
+/// that a text's shape does not depend on where it stands or how large it is.
 class Font {
  public:
   /// Throws OutputError that names a font file which is missing or cannot be read.
@@ -49,8 +49,8 @@ class Font {
   std::unique_ptr<Faces> faces_;
 };
 
-/// A bitmap turned by 90° against the clock, to be read from the right: `left` and `base` are still the column and row
-/// of the pen's start.
+/// A bitmap turned by 90° against the clock, to be read from the right: `left` and `base` are still the
+/// column and row of the pen's start.
 TextBitmap turned(const TextBitmap& bitmap);
 
 }  // namespace plumb

@@ -8,7 +8,9 @@ namespace plumb {
 
 namespace {
 
-Vec3 across(const Vec3& tangent) { return tangent.unitOrthogonal(); }
+Vec3 across(const Vec3& tangent) {
+  return tangent.unitOrthogonal();
+}
 
 // Carried from one tangent to the next by removing what has come to point along it.
 Vec3 carried(const Vec3& normal, const Vec3& tangent) {
@@ -48,7 +50,8 @@ TubeMesh tube_mesh(std::span<const CurvePoint> curve, double radius, int sides) 
   for (int i = 0; i + 1 < rings; ++i)
     for (int k = 0; k < sides; ++k) {
       const auto at = [&](int r, int s) { return static_cast<unsigned>(r * sides + s % sides); };
-      for (const unsigned index : {at(i, k), at(i, k + 1), at(i + 1, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)})
+      for (const unsigned index :
+           {at(i, k), at(i, k + 1), at(i + 1, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)})
         mesh.indices.push_back(index);
     }
   return mesh;

@@ -17,7 +17,8 @@ Image flat(int width, int height, std::uint8_t level) {
 
 std::vector<std::string> frames(int count) {
   std::vector<std::string> result;
-  for (int i = 0; i < count; ++i) result.push_back(encode_png(flat(20, 10, static_cast<std::uint8_t>(40 * i))));
+  for (int i = 0; i < count; ++i)
+    result.push_back(encode_png(flat(20, 10, static_cast<std::uint8_t>(40 * i))));
   return result;
 }
 
@@ -78,7 +79,8 @@ TEST(Apng, EveryFrameHasTheSizeAndTheDelayOfTheRate) {
       ASSERT_EQ(chunk.data.size(), 26U);
       EXPECT_EQ(read_u32(chunk.data.substr(4)), 20U);
       EXPECT_EQ(read_u32(chunk.data.substr(8)), 10U);
-      EXPECT_EQ(read_u32(chunk.data.substr(20)), static_cast<std::uint32_t>(numerator * 65536 + denominator)) << rate;
+      EXPECT_EQ(read_u32(chunk.data.substr(20)), static_cast<std::uint32_t>(numerator * 65536 + denominator))
+          << rate;
     }
   }
 }
@@ -88,12 +90,14 @@ TEST(Apng, ShowsItsFirstFrameWhereAnimationIsUnknown) {
 }
 
 TEST(Apng, FramesOfDifferentSizeAreRefused) {
-  EXPECT_THROW(join_apng(std::vector{encode_png(flat(20, 10, 0)), encode_png(flat(10, 20, 0))}, 25), OutputError);
+  EXPECT_THROW(join_apng(std::vector{encode_png(flat(20, 10, 0)), encode_png(flat(10, 20, 0))}, 25),
+               OutputError);
 }
 
 TEST(Apng, NoFramesOrARateThatCannotBeWrittenAreRefused) {
   EXPECT_THROW(join_apng({}, 25), OutputError);
-  for (const double rate : {0.0, -1.0, 1e-3, 2500.5, 1e9}) EXPECT_THROW(join_apng(frames(1), rate), OutputError) << rate;
+  for (const double rate : {0.0, -1.0, 1e-3, 2500.5, 1e9})
+    EXPECT_THROW(join_apng(frames(1), rate), OutputError) << rate;
   EXPECT_THROW(join_apng(std::vector<std::string>{"not a PNG"}, 25), InputError);
 }
 

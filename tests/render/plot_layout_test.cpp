@@ -37,7 +37,8 @@ Plot two_panels(double upper, double lower) {
 TEST(PlotLayout, FramesAreAlignedAndApartAndInsideThePicture) {
   const Font font;
   EXPECT_TRUE(rc::check([&] {
-    Plot plot = two_panels(std::pow(10.0, *rc::gen::inRange(-9, 9)), std::pow(10.0, *rc::gen::inRange(-9, 9)));
+    Plot plot =
+        two_panels(std::pow(10.0, *rc::gen::inRange(-9, 9)), std::pow(10.0, *rc::gen::inRange(-9, 9)));
     plot.width = *rc::gen::inRange(900, 2400);
     plot.height = *rc::gen::inRange(900, 2400);
     const PlotLayout layout = plot_layout(plot, font);
@@ -122,6 +123,9 @@ TEST(PlotLayout, WhatCannotBeDrawnIsRefused) {
   plot = two_panels(1, 1);
   plot.panels[0].y.range = {1, 1};
   EXPECT_THROW(plot_layout(plot, font), OutputError) << "empty range";
+  plot = two_panels(1, 1);
+  plot.panels[0].y.range = {1, 1 + 1e-15};
+  EXPECT_THROW(plot_layout(plot, font), OutputError) << "range of some units in the last place";
   plot = two_panels(1, 1);
   plot.panels[1].x.range = {0, std::nan("")};
   EXPECT_THROW(plot_layout(plot, font), OutputError) << "range without an end";

@@ -25,7 +25,9 @@ Series sampled(const std::string& label, int count, double end, Function f) {
   return s;
 }
 
-double mid(double t) { return -0.19 + 0.19 * std::cos(7 * t) * (1 - 0.1 * t) - 0.01 * std::cos(31 * t); }
+double mid(double t) {
+  return -0.19 + 0.19 * std::cos(7 * t) * (1 - 0.1 * t) - 0.01 * std::cos(31 * t);
+}
 
 Series published(Series s) {
   s.label = "published";
@@ -48,7 +50,8 @@ Plot over_time() {
   lower.x.label = "time [s]";
   lower.y.label = "difference [m]";
   lower.y.zero_line = true;
-  lower.series.push_back(sampled("", 100, 2, [](double t) { return 1e-5 * (std::sin(21 * t) * t + 0.3 * std::cos(77 * t)); }));
+  lower.series.push_back(
+      sampled("", 100, 2, [](double t) { return 1e-5 * (std::sin(21 * t) * t + 0.3 * std::cos(77 * t)); }));
   plot.panels = {upper, lower};
   return plot;
 }
@@ -57,8 +60,12 @@ Plot tip_path() {
   Plot plot;
   plot.title = "Tip in the horizontal plane";
   plot.height = 1600;
-  const auto x = [](double t) { return (1 - 0.15 * t) * std::cos(3.5 * t) * (0.75 + 0.25 * std::cos(7 * t)); };
-  const auto z = [](double t) { return -(1 - 0.15 * t) * std::sin(3.5 * t) * (0.75 + 0.25 * std::cos(7 * t)); };
+  const auto x = [](double t) {
+    return (1 - 0.15 * t) * std::cos(3.5 * t) * (0.75 + 0.25 * std::cos(7 * t));
+  };
+  const auto z = [](double t) {
+    return -(1 - 0.15 * t) * std::sin(3.5 * t) * (0.75 + 0.25 * std::cos(7 * t));
+  };
   const auto path = [&](int count) {
     Series s = sampled("Plumb", count, 2, z);
     for (double& value : s.x) value = x(value);
@@ -138,7 +145,8 @@ Plot small(Series series) {
 }
 
 std::array<int, 3> at(const Image& image, const Point& place) {
-  const auto i = static_cast<std::size_t>(3 * (static_cast<int>(place.y()) * image.width + static_cast<int>(place.x())));
+  const auto i =
+      static_cast<std::size_t>(3 * (static_cast<int>(place.y()) * image.width + static_cast<int>(place.x())));
   return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
 

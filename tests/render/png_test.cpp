@@ -11,7 +11,8 @@ namespace {
 
 Image pattern(int width, int height) {
   Image image{width, height, {}};
-  for (int i = 0; i < 3 * width * height; ++i) image.rgb.push_back(static_cast<std::uint8_t>(i * 37 + i / 100));
+  for (int i = 0; i < 3 * width * height; ++i)
+    image.rgb.push_back(static_cast<std::uint8_t>(i * 37 + i / 100));
   return image;
 }
 
@@ -24,15 +25,20 @@ TEST(Png, DecodesToWhatWasEncoded) {
   }));
 }
 
-TEST(Png, SamePictureGivesTheSameBytes) { EXPECT_EQ(encode_png(pattern(90, 70)), encode_png(pattern(90, 70))); }
+TEST(Png, SamePictureGivesTheSameBytes) {
+  EXPECT_EQ(encode_png(pattern(90, 70)), encode_png(pattern(90, 70)));
+}
 
 TEST(Png, TextsAreKeptInChunksOfTheirOwn) {
   const std::string bytes = encode_png(pattern(4, 4), {{"Software", "Plumb"}, {"Description", "t = 1 s"}});
   std::vector<std::string> texts;
   for (const PngChunk& chunk : png_chunks(bytes, "a.png"))
     if (chunk.type == "tEXt") texts.emplace_back(chunk.data);
-  const auto with_separator = [](std::string key, const std::string& value) { return (key += '\0') += value; };
-  EXPECT_EQ(texts, (std::vector{with_separator("Software", "Plumb"), with_separator("Description", "t = 1 s")}));
+  const auto with_separator = [](std::string key, const std::string& value) {
+    return (key += '\0') += value;
+  };
+  EXPECT_EQ(texts,
+            (std::vector{with_separator("Software", "Plumb"), with_separator("Description", "t = 1 s")}));
 }
 
 TEST(Png, EveryTruncationIsRefusedByName) {

@@ -24,7 +24,9 @@ std::array<int, 3> at(const Image& image, const Point& place) {
 }
 
 // Cable pixels have the cable's hue, dark or lit.
-bool is_cable(const std::array<int, 3>& color) { return color[2] > color[0] + 40 && color[0] >= 0; }
+bool is_cable(const std::array<int, 3>& color) {
+  return color[2] > color[0] + 40 && color[0] >= 0;
+}
 
 Vec3 on_cable(const Eigen::VectorXd& q, int element, double x) {
   const auto s = Hermite::values(x, 0.25);
@@ -73,7 +75,8 @@ TEST_F(SceneTest, CableIsSeenAlongItsCurveAndNotAlongItsChords) {
   for (int e = 0; e < 4; ++e)
     for (const double x : {0.3, 0.5, 0.7}) {
       const Point curve = scene.pixel(on_cable(bent.q[0], e, x));
-      EXPECT_TRUE(is_cable(at(image, curve))) << "element " << e << ", x = " << x << ", pixel " << curve.transpose();
+      EXPECT_TRUE(is_cable(at(image, curve)))
+          << "element " << e << ", x = " << x << ", pixel " << curve.transpose();
     }
   const Point chord = scene.pixel(Vec3(0.375, 0, 0));
   EXPECT_FALSE(is_cable(at(image, chord))) << "pixel " << chord.transpose();
@@ -95,7 +98,8 @@ TEST_F(SceneTest, CableIsWhereTheStateBetweenTwoOutputsPutsIt) {
     const Image image = scene.at(trajectory_.times[i]);
     for (const double x : {0.2, 0.5, 0.8}) {
       const Point place = scene.pixel(on_cable(trajectory_.q[i], 2, x));
-      EXPECT_TRUE(is_cable(at(image, place))) << "t = " << trajectory_.times[i] << ", pixel " << place.transpose();
+      EXPECT_TRUE(is_cable(at(image, place)))
+          << "t = " << trajectory_.times[i] << ", pixel " << place.transpose();
     }
   }
 }
@@ -189,7 +193,8 @@ TEST_F(SceneTest, HangingStillCableHasAView) {
 }
 
 TEST_F(SceneTest, StatesThatAreNotFiniteAreRefused) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e9}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e9}) {
     Trajectory broken = trajectory_;
     broken.q[70][12] = bad;
     EXPECT_THROW(SceneRenderer(context_, broken, small_input()), OutputError) << bad;

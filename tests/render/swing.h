@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// A made-up motion for tests of drawing: a slightly curved cable of 1 m, held at the origin, that circles the Y axis
-/// and swings below it. Four elements, 101 outputs over 2 s.
+/// A made-up motion for tests of drawing: a slightly curved cable of 1 m, held at the origin, that circles
+/// the Y axis and swings below it. Four elements, 101 outputs over 2 s.
 inline Trajectory swing(int outputs = 101) {
   Trajectory trajectory;
   trajectory.outcome = Outcome::completed;
@@ -24,7 +24,8 @@ inline Trajectory swing(int outputs = 101) {
         const double s = 0.25 * (node + static_cast<double>(i) / pieces);
         const double dip = 0.45 - 0.45 * std::cos(7 * t) + 0.35 * (s - 0.4) * std::sin(9 * t + 2 * s);
         const double azimuth = 3.3 * t - 0.5 * s * std::sin(5 * t);
-        const Vec3 direction(std::cos(dip) * std::cos(azimuth), -std::sin(dip), -std::cos(dip) * std::sin(azimuth));
+        const Vec3 direction(std::cos(dip) * std::cos(azimuth), -std::sin(dip),
+                             -std::cos(dip) * std::sin(azimuth));
         if (i == 0) q.segment<6>(6 * node) << place, direction;
         if (i < pieces) place += 0.25 / pieces * direction;
       }

@@ -40,7 +40,8 @@ TEST(Text, SuperscriptIsNarrowerAndStandsHigher) {
 
 TEST(Text, UnclosedSuperscriptIsDrawnAsItStands) {
   const Font font;
-  EXPECT_DOUBLE_EQ(font.measure("a^{b", {20}).width, font.measure("a^", {20}).width + font.measure("{b", {20}).width);
+  EXPECT_DOUBLE_EQ(font.measure("a^{b", {20}).width,
+                   font.measure("a^", {20}).width + font.measure("{b", {20}).width);
 }
 
 TEST(Text, GreekAndSignsHaveGlyphsOfTheirOwn) {
@@ -63,7 +64,10 @@ TEST(Utf8, DecodesCharactersOfEveryLength) {
 }
 
 TEST(Utf8, EachInvalidByteBecomesOneReplacement) {
-  EXPECT_EQ(decode_utf8("a\xff" "b"), U"a\uFFFD" U"b");
+  EXPECT_EQ(decode_utf8("a\xff"
+                        "b"),
+            U"a\uFFFD"
+            U"b");
   EXPECT_EQ(decode_utf8("\xe2\x88"), U"\uFFFD\uFFFD") << "cut short";
   EXPECT_EQ(decode_utf8("\xc0\x80"), U"\uFFFD\uFFFD") << "longer than needed";
   EXPECT_EQ(decode_utf8("\xed\xa0\x80"), U"\uFFFD\uFFFD\uFFFD") << "half of a surrogate pair";
