@@ -1,0 +1,160 @@
+#include "render/canvas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/errors.h"
+#include "render/shaders.h"
+
+namespace plumb {
+
+namespace {
+
+// What every renderer of a core profile has to offer; more raises an error and keeps the storage as it was.
+constexpr int samples = 4;
+
+// Checked before any member takes something from OpenGL.
+const GlContext& ready(const GlContext& context, int width, int height, int supersampling) {
+  context.check_size(width, height, supersampling);
+  return context.make_current();
+}
+
+void check_complete(const GlContext& context, int width, int height) {
+  const GLenum status = context.gl().CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw OutputError(fmt::format("OpenGL: no framebuffer of {} x {} pixels can be had (status {:#x})", width,
+                                  height, status));
+}
+
+}  // namespace
+
+Canvas::Geometry::Geometry(const GlContext& context, int width, int height)
+    : color(context), depth(context), framebuffer(context) {
+  const Gl& gl = context.gl();
+  gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, color.id());
+  gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_RGBA8, width, height, GL_TRUE);
+  gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth.id());
+  gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_DEPTH_COMPONENT24, width, height, GL_TRUE);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, color.id(), 0);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, depth.id(), 0);
+  check_complete(context, width, height);
+}
+
+Canvas::Canvas(const GlContext& context, int width, int height, int supersampling)
+    : context_(ready(context, width, height, supersampling)),
+      width_(width),
+      height_(height),
+      supersampling_(supersampling),
+      color_(context),
+      framebuffer_(context),
+      no_attributes_(context) {
+  const Gl& gl = context.gl();
+  gl.BindTexture(GL_TEXTURE_2D, color_.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
+  check_complete(context, width, height);
+  context.check("making a canvas");
+}
+
+void Canvas::clip(int scale) const {
+  const auto left = static_cast<int>(region_.left);
+  const auto bottom = static_cast<int>(region_.bottom);
+  context_.gl().Enable(GL_SCISSOR_TEST);
+  context_.gl().Scissor(scale * left, scale * (height_ - bottom),
+                        scale * (static_cast<int>(region_.right) - left),
+                        scale * (bottom - static_cast<int>(region_.top)));
+}
+
+void Canvas::begin_geometry(const Rect& region) {
+  const Gl& gl = context_.gl();
+  const auto inside = [](double pixel, int limit) {
+    return std::clamp(pixel, 0.0, static_cast<double>(limit));
+  };
+  region_.left = std::floor(inside(region.left, width_));
+  region_.top = std::floor(inside(region.top, height_));
+  region_.right = std::ceil(inside(region.right, width_));
+  region_.bottom = std::ceil(inside(region.bottom, height_));
+  if (!geometry_) geometry_.emplace(context_, width_ * supersampling_, height_ * supersampling_);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, geometry_->framebuffer.id());
+  gl.Viewport(0, 0, width_ * supersampling_, height_ * supersampling_);
+  clip(supersampling_);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Canvas::resolve() {
+  const Gl& gl = context_.gl();
+  if (!resolver_) resolver_.emplace(context_, fullscreen_vert, resolve_frag);
+  bind_flat();
+  clip(1);
+  gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, geometry_->color.id());
+  resolver_->use();
+  resolver_->set("scale", supersampling_);
+  resolver_->set("samples", samples);
+  gl.BindVertexArray(no_attributes_.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  bind_flat();
+}
+
+void Canvas::begin_flat(Color background) {
+  bind_flat();
+  context_.gl().ClearColor(background.r, background.g, background.b, 1);
+  context_.gl().Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void Canvas::bind_flat_framebuffer() const {
+  context_.gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  context_.gl().Viewport(0, 0, width_, height_);
+}
+
+void Canvas::bind_flat() const {
+  const Gl& gl = context_.gl();
+  bind_flat_framebuffer();
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void Canvas::copy_to(const GlTexture& texture) const {
+  const Gl& gl = context_.gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, width_, height_, 0);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+}
+
+Image Canvas::read() const {
+  const Gl& gl = context_.gl();
+  const auto columns = static_cast<std::size_t>(width_);
+  const auto rows = static_cast<std::size_t>(height_);
+  std::vector<std::uint8_t> rgba(4 * columns * rows);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  context_.check("drawing a picture");
+
+  Image image{width_, height_, std::vector<std::uint8_t>(3 * columns * rows)};
+  for (std::size_t row = 0; row < rows; ++row) {
+    const std::uint8_t* from = &rgba[4 * columns * (rows - 1 - row)];  // OpenGL counts rows from the bottom
+    std::uint8_t* to = &image.rgb[3 * columns * row];
+    for (std::size_t column = 0; column < columns; ++column)
+      for (std::size_t c = 0; c < 3; ++c) to[3 * column + c] = from[4 * column + c];
+  }
+  return image;
+}
+
+}  // namespace plumb

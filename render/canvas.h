@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+
+#include "render/color.h"
+#include "render/gl_objects.h"
+#include "render/image.h"
+#include "render/shapes.h"
+
+namespace plumb {
+
+/// A picture being drawn, in two layers: flat drawings and text at the picture's own size, so that they stay
+/// crisp, and geometry, with depth, `supersampling` times as large and with 4 samples in each of its pixels,
+/// which resolve() averages and lays over the picture.
+class Canvas {
+ public:
+  /// Width and height in pixels, supersampling in samples along each side of a pixel, all ≥ 1.
+  /// Throws OutputError when that is more than the renderer can draw.
+  Canvas(const GlContext& context, int width, int height, int supersampling = 1);
+
+  /// Directs drawing to the geometry layer, cleared to nothing, with depth test on. Colours drawn there are
+  /// multiplied by their opacity. Geometry outside `region` (pixels of the picture) need not be drawn, which
+  /// saves time.
+  void begin_geometry(const Rect& region);
+  /// Lays the geometry over the picture and directs drawing there.
+  void resolve();
+  /// Directs drawing to the picture, cleared.
+  void begin_flat(Color background);
+  /// Directs drawing to the picture as it is, all of it.
+  void bind_flat() const;
+  /// The same without a change to clipping or blending.
+  void bind_flat_framebuffer() const;
+
+  /// Makes `texture` a copy of the picture so far.
+  void copy_to(const GlTexture& texture) const;
+  /// The picture so far. Throws OutputError when OpenGL has recorded an error.
+  Image read() const;
+
+  Rect whole() const { return {0, 0, static_cast<double>(width_), static_cast<double>(height_)}; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int supersampling() const { return supersampling_; }
+
+ private:
+  struct Geometry {
+    explicit Geometry(const GlContext& context, int width, int height);
+    GlTexture color;
+    GlTexture depth;
+    GlFramebuffer framebuffer;
+  };
+
+  // Limits drawing to the region, in a layer `scale` times the picture's size.
+  void clip(int scale) const;
+
+  const GlContext& context_;
+  int width_;
+  int height_;
+  int supersampling_;
+  GlTexture color_;
+  GlFramebuffer framebuffer_;
+  std::optional<Geometry> geometry_;
+  Rect region_;
+  std::optional<GlProgram> resolver_;
+  GlVertexArray no_attributes_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,76 @@
+#include "render/motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/errors.h"
+#include "engine/model/hermite.h"
+
+namespace plumb {
+
+namespace {
+
+// In a picture of the whole motion the cable would be a millionth of it.
+constexpr double farthest = 1e6;  // cable lengths
+
+}  // namespace
+
+Motion::Motion(const Trajectory& trajectory) : trajectory_(trajectory) {
+  const std::size_t count = trajectory.times.size();
+  if (count == 0) throw OutputError("the run has no outputs: nothing to draw");
+  if (trajectory.elements < 1 || !(trajectory.element_length > 0) || trajectory.q.size() != count ||
+      trajectory.v.size() != count)
+    throw OutputError(fmt::format(
+        "the run cannot be drawn: {} elements of {} m, {} times, {} states, {} rates", trajectory.elements,
+        trajectory.element_length, count, trajectory.q.size(), trajectory.v.size()));
+  const Eigen::Index size = 6 * (trajectory.elements + 1);
+  const double limit = farthest * trajectory.element_length * trajectory.elements;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::VectorXd& q = trajectory.q[i];
+    const Eigen::VectorXd& v = trajectory.v[i];
+    if (q.size() != size || v.size() != size)
+      throw OutputError(
+          fmt::format("the run cannot be drawn: output {} has {} coordinates and {} rates instead of {}", i,
+                      q.size(), v.size(), size));
+    if (!q.allFinite() || !v.allFinite())
+      throw OutputError(
+          fmt::format("the run cannot be drawn: the state at {} s is not finite", trajectory.times[i]));
+    if (q.cwiseAbs().maxCoeff() > limit)
+      throw OutputError(fmt::format("the run cannot be drawn: at {} s the cable is {:.3g} m away",
+                                    trajectory.times[i], q.cwiseAbs().maxCoeff()));
+  }
+}
+
+Eigen::VectorXd Motion::state(double time) const {
+  const std::vector<double>& times = trajectory_.times;
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return trajectory_.q.front();
+  if (after == times.end()) return trajectory_.q.back();
+  const auto i = static_cast<std::size_t>(after - times.begin()) - 1;
+  const double interval = times[i + 1] - times[i];
+  const auto s = Hermite::values((time - times[i]) / interval, interval);
+  return s[0] * trajectory_.q[i] + s[1] * trajectory_.v[i] + s[2] * trajectory_.q[i + 1] +
+         s[3] * trajectory_.v[i + 1];
+}
+
+std::vector<CurvePoint> Motion::curve(const Eigen::VectorXd& state, int per_element) const {
+  std::vector<CurvePoint> points;
+  points.reserve(static_cast<std::size_t>(trajectory_.elements * per_element) + 1);
+  Vec3 direction = Vec3::UnitX();
+  for (int e = 0; e < trajectory_.elements; ++e) {
+    const auto node = [&](int k) -> Vec3 { return state.segment<3>(6 * e + 3 * k); };
+    const int last = e + 1 == trajectory_.elements ? per_element : per_element - 1;
+    for (int i = 0; i <= last; ++i) {
+      const double x = static_cast<double>(i) / per_element;
+      const auto s = Hermite::values(x, trajectory_.element_length);
+      const auto d = Hermite::slopes(x, trajectory_.element_length);
+      const Vec3 slope = d[0] * node(0) + d[1] * node(1) + d[2] * node(2) + d[3] * node(3);
+      if (slope.norm() > 1e-12) direction = slope.normalized();  // a collapsed slope keeps the last direction
+      points.push_back({s[0] * node(0) + s[1] * node(1) + s[2] * node(2) + s[3] * node(3), direction});
+    }
+  }
+  return points;
+}
+
+}  // namespace plumb

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/color.h"
+#include "render/shapes.h"
+
+namespace plumb {
+
+/// Points joined by a line, shown by markers, or both. Points that are not finite are left out and break the
+/// line.
+struct Series {
+  std::string label;  ///< in the legend; empty: not there
+  std::vector<double> x;
+  std::vector<double> y;       ///< as many as x
+  std::optional<Color> color;  ///< default: the palette's, by the place of the series in its panel
+  double line_width = 1;       ///< in units of the plot's line width; 0: no line
+  Dash dash = Dash::solid;
+  Marker marker = Marker::none;
+  bool open_marker = true;  ///< outline only, so that what lies below shows
+  double marker_size = 1;   ///< in units of the plot's marker size
+};
+
+struct Axis {
+  std::string label;                           ///< with its unit: "time [s]"
+  std::optional<std::array<double, 2>> range;  ///< lo < hi; default: the data's with a small margin
+  bool zero_line = false;                      ///< draws a line at 0, where that is in the range
+};
+
+/// One coordinate system. Series are drawn in order, the last on top.
+struct Panel {
+  std::string title;  ///< small, above the panel; may be empty
+  Axis x;
+  Axis y;
+  std::vector<Series> series;
+  double height_share = 1;      ///< of the height, relative to the other panels, > 0
+  bool equal_axes = false;      ///< one unit is as long along x as along y
+  bool shares_x_below = false;  ///< has the x axis of the panel below, which alone shows its labels
+  bool legend = true;           ///< for series with a label
+};
+
+/// A figure: panels stacked from the top. `font_size` suits a print at half a page's width.
+struct Plot {
+  std::string title;
+  std::vector<Panel> panels;
+  int width = 1600;       ///< pixels
+  int height = 1200;      ///< pixels
+  double font_size = 36;  ///< of labels, pixels, > 0; widths of lines and markers go with it
+};
+
+}  // namespace plumb

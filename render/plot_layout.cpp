@@ -1,0 +1,289 @@
+#include "render/plot_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/errors.h"
+#include "render/legend_layout.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr double x_margin = 0.02;  // of the data's span, free at either end
+constexpr double y_margin = 0.06;
+
+struct Span {
+  double lo = std::numeric_limits<double>::infinity();
+  double hi = -std::numeric_limits<double>::infinity();
+
+  void add(double value) {
+    lo = std::min(lo, value);
+    hi = std::max(hi, value);
+  }
+};
+
+struct PanelRanges {
+  AxisRange x;
+  AxisRange y;
+};
+
+AxisRange given_range(const std::array<double, 2>& range) {
+  // Between closer ends, neighbouring ticks would be the same number.
+  const double least = 1e-9 * std::max(std::abs(range[0]), std::abs(range[1]));
+  if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || !(range[1] - range[0] > least))
+    throw OutputError(
+        fmt::format("plot: an axis from {} to {}: must be finite, ascending and further apart than {:.3g}",
+                    range[0], range[1], least));
+  return {range[0], range[1]};
+}
+
+// The data's span of the panels from `first` to `last`, which share one x axis.
+Span x_span(const Plot& plot, std::size_t first, std::size_t last) {
+  Span span;
+  for (std::size_t p = first; p <= last; ++p)
+    for (const Series& series : plot.panels[p].series)
+      for (std::size_t i = 0; i < series.x.size(); ++i)
+        if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) span.add(series.x[i]);
+  return span;
+}
+
+Span y_span(const Panel& panel) {
+  Span span;
+  for (const Series& series : panel.series)
+    for (std::size_t i = 0; i < series.y.size(); ++i)
+      if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) span.add(series.y[i]);
+  return span;
+}
+
+std::vector<PanelRanges> panel_ranges(const Plot& plot) {
+  std::vector<PanelRanges> ranges(plot.panels.size());
+  std::size_t first = 0;
+  for (std::size_t last = 0; last < plot.panels.size(); ++last) {
+    if (plot.panels[last].shares_x_below && last + 1 < plot.panels.size()) continue;
+    const Span data = x_span(plot, first, last);
+    const auto& given = plot.panels[last].x.range;
+    const AxisRange shared = given ? given_range(*given) : fitted_range(data.lo, data.hi, x_margin);
+    for (; first <= last; ++first) ranges[first].x = shared;
+  }
+  for (std::size_t p = 0; p < plot.panels.size(); ++p) {
+    const Span data = y_span(plot.panels[p]);
+    const auto& given = plot.panels[p].y.range;
+    ranges[p].y = given ? given_range(*given) : fitted_range(data.lo, data.hi, y_margin);
+  }
+  return ranges;
+}
+
+void widen(AxisRange& range, double span) {
+  const double middle = range.lo / 2 + range.hi / 2;
+  range = {middle - span / 2, middle + span / 2};
+}
+
+void equalise(PanelRanges& ranges, const Rect& frame) {
+  const double per_pixel =
+      std::max((ranges.x.hi - ranges.x.lo) / frame.width(), (ranges.y.hi - ranges.y.lo) / frame.height());
+  widen(ranges.x, per_pixel * frame.width());
+  widen(ranges.y, per_pixel * frame.height());
+}
+
+void check(const Plot& plot) {
+  for (const Panel& panel : plot.panels) {
+    for (const Series& series : panel.series)
+      if (series.x.size() != series.y.size())
+        throw OutputError(fmt::format("plot: series '{}' has {} x and {} y", series.label, series.x.size(),
+                                      series.y.size()));
+    if (!(panel.height_share > 0))
+      throw OutputError(
+          fmt::format("plot: a panel's height share of {}: must be greater than 0", panel.height_share));
+  }
+  if (!(plot.font_size > 0))
+    throw OutputError(fmt::format("plot: a font size of {}: must be greater than 0", plot.font_size));
+}
+
+bool has_legend(const Panel& panel) {
+  return panel.legend && std::any_of(panel.series.begin(), panel.series.end(),
+                                     [](const Series& series) { return !series.label.empty(); });
+}
+
+// Lays out the panels below each other, given the heights that legends outside need.
+class Stack {
+ public:
+  Stack(const Plot& plot, const Font& font) : plot_(plot), font_(font), sizes_(plot.font_size) {}
+
+  PlotLayout lay_out(const std::vector<double>& legend_heights) const {
+    PlotLayout layout;
+    layout.title_base = sizes_.gap + font_.measure("X", sizes_.title).ascent;
+    layout.panels.resize(plot_.panels.size());
+    place_vertically(layout, legend_heights);
+
+    const std::vector<PanelRanges> ranges = panel_ranges(plot_);
+    for (std::size_t p = 0; p < layout.panels.size(); ++p) {
+      layout.panels[p].y.range = ranges[p].y;
+      layout.panels[p].x.range = ranges[p].x;
+    }
+    // The widest y labels set the left end of all frames. With equal axes the labels depend on the frame in
+    // turn: the second pass has the frame of the first, which is close enough for the labels to be the same.
+    double left = sizes_.gap;
+    for (int pass = 0; pass < 2; ++pass) {
+      double room = 0;
+      for (std::size_t p = 0; p < layout.panels.size(); ++p) {
+        PanelLayout& panel = layout.panels[p];
+        panel.frame.left = std::round(std::max(left, sizes_.gap));
+        panel.frame.right = std::round(plot_.width - right_margin());
+        if (panel.frame.width() < 4 * sizes_.tick.size)
+          throw OutputError(fmt::format("plot: {} x {} pixels are too few for a font of {}", plot_.width,
+                                        plot_.height, plot_.font_size));
+        PanelRanges fitted = ranges[p];
+        if (plot_.panels[p].equal_axes) equalise(fitted, panel.frame);
+        mark(panel, fitted);
+        room = std::max(room, left_margin(plot_.panels[p], panel));
+      }
+      left = room;
+    }
+    for (std::size_t p = 0; p < layout.panels.size(); ++p) {
+      PanelLayout& panel = layout.panels[p];
+      panel.y_label_base = sizes_.gap + font_.measure("X", sizes_.label).ascent;
+      panel.y_exponent_base = panel.frame.top - 0.45 * sizes_.gap - sizes_.frame;
+    }
+    return layout;
+  }
+
+  const PlotSizes& sizes() const { return sizes_; }
+
+  // Height of what stands between a frame's top and what is above it.
+  double head(std::size_t p, double legend_height) const {
+    const Panel& panel = plot_.panels[p];
+    double height = 1.2 * sizes_.tick.size;  // a power of ten
+    if (!panel.title.empty()) height = std::max(height, 1.45 * sizes_.panel_title.size);
+    return height + legend_height;
+  }
+
+ private:
+  bool shows_x(std::size_t p) const {
+    return !plot_.panels[p].shares_x_below || p + 1 == plot_.panels.size();
+  }
+
+  double right_margin() const { return sizes_.gap + sizes_.tick.size; }  // half a tick label
+
+  double left_margin(const Panel& panel, const PanelLayout& layout) const {
+    double width = 0;
+    for (const std::string& label : layout.y_ticks.labels)
+      width = std::max(width, font_.measure(label, sizes_.tick).width);
+    width += sizes_.gap + sizes_.tick_length + 0.5 * sizes_.gap;
+    if (!panel.y.label.empty()) width += 1.5 * sizes_.label.size;
+    return width;
+  }
+
+  double foot(std::size_t p) const {
+    if (!shows_x(p)) return sizes_.tick_length + 0.2 * sizes_.gap;
+    return sizes_.tick_length + 1.35 * sizes_.tick.size + 1.4 * sizes_.label.size + 0.3 * sizes_.gap;
+  }
+
+  void place_vertically(PlotLayout& layout, const std::vector<double>& legend_heights) const {
+    double top = plot_.title.empty() ? 0.6 * sizes_.gap : sizes_.gap + 1.35 * sizes_.title.size;
+    double free = plot_.height - top - 0.5 * sizes_.gap;
+    double shares = 0;
+    for (std::size_t p = 0; p < plot_.panels.size(); ++p) {
+      free -= head(p, legend_heights[p]) + foot(p);
+      shares += plot_.panels[p].height_share;
+    }
+    for (std::size_t p = 0; p < plot_.panels.size(); ++p) {
+      PanelLayout& panel = layout.panels[p];
+      const double height = free * plot_.panels[p].height_share / shares;
+      if (height < 2 * sizes_.tick.size)
+        throw OutputError(fmt::format("plot: {} x {} pixels are too few for {} panels with a font of {}",
+                                      plot_.width, plot_.height, plot_.panels.size(), plot_.font_size));
+      panel.title_base = top + legend_heights[p] + 1.05 * sizes_.panel_title.size;
+      top += head(p, legend_heights[p]);
+      panel.frame.top = std::round(top);
+      panel.frame.bottom = std::round(top + height);
+      panel.x_labels = shows_x(p);
+      panel.x_tick_base = panel.frame.bottom + sizes_.tick_length + 1.1 * sizes_.tick.size;
+      panel.x_label_base = panel.x_tick_base + 1.35 * sizes_.label.size;
+      top += height + foot(p);
+    }
+  }
+
+  void mark(PanelLayout& panel, const PanelRanges& ranges) const {
+    panel.x = {ranges.x, panel.frame.left, panel.frame.right};
+    panel.y = {ranges.y, panel.frame.bottom, panel.frame.top};
+    const auto wide = [&](std::string_view label) { return font_.measure(label, sizes_.tick).width; };
+    const auto high = [&](std::string_view) { return sizes_.tick.size; };
+    panel.x_ticks = axis_ticks(ranges.x.lo, ranges.x.hi,
+                               {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
+    panel.y_ticks = axis_ticks(ranges.y.lo, ranges.y.hi,
+                               {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
+  }
+
+  const Plot& plot_;
+  const Font& font_;
+  PlotSizes sizes_;
+};
+
+}  // namespace
+
+PlotSizes::PlotSizes(double font_size)
+    : title{1.1 * font_size, Weight::bold},
+      panel_title{font_size, Weight::bold},
+      label{font_size, Weight::regular},
+      tick{0.92 * font_size, Weight::regular},
+      legend{0.92 * font_size, Weight::regular},
+      line(0.13 * font_size),
+      marker(0.5 * font_size),
+      marker_line(0.075 * font_size),
+      frame(std::max(1, static_cast<int>(std::lround(0.055 * font_size)))),
+      grid(std::max(1, static_cast<int>(std::lround(0.04 * font_size)))),
+      tick_length(0.28 * font_size),
+      gap(0.6 * font_size) {}
+
+PlotLayout plot_layout(const Plot& plot, const Font& font) {
+  check(plot);
+  const Stack stack(plot, font);
+  std::vector<double> legend_heights(plot.panels.size(), 0);
+  PlotLayout layout = stack.lay_out(legend_heights);
+  // A legend that goes outside takes height from every panel, after which another may find no place inside.
+  for (std::size_t p = 0; p < plot.panels.size();) {
+    const Panel& panel = plot.panels[p];
+    PanelLayout& placed = layout.panels[p];
+    if (!has_legend(panel)) {
+      ++p;
+    } else if (legend_heights[p] > 0) {
+      placed.legend =
+          legend_rows(panel, placed.frame.left, placed.frame.top - stack.head(p, legend_heights[p]),
+                      placed.frame.width(), stack.sizes(), font);
+      ++p;
+    } else if ((placed.legend = legend_inside(panel, placed, stack.sizes(), font))) {
+      ++p;
+    } else {
+      legend_heights[p] = legend_rows(panel, 0, 0, placed.frame.width(), stack.sizes(), font).box.height();
+      layout = stack.lay_out(legend_heights);
+      p = 0;
+    }
+  }
+  return layout;
+}
+
+std::vector<Point> pixels(const Series& series, const PanelLayout& panel) {
+  std::vector<Point> points(series.x.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // Far outside, the rasteriser's numbers would not hold the place; nothing there is seen.
+    constexpr double far = 1e5;
+    const Point p(panel.x(series.x[i]), panel.y(series.y[i]));
+    points[i] = p.allFinite() ? Point(p.cwiseMax(-far).cwiseMin(far)) : p;
+  }
+  return points;
+}
+
+std::string exponent_label(int exponent) {
+  if (exponent == 0) return "";
+  return fmt::format("\u00d710^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
+}
+
+double legend_sample(const PlotSizes& sizes) {
+  return 1.6 * sizes.legend.size;
+}
+
+}  // namespace plumb

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/axis_ticks.h"
+#include "render/plot.h"
+#include "render/shapes.h"
+#include "render/text.h"
+
+namespace plumb {
+
+/// Sizes of a plot's parts, pixels, all in proportion to its font size.
+struct PlotSizes {
+  explicit PlotSizes(double font_size);
+
+  TextStyle title;
+  TextStyle panel_title;
+  TextStyle label;
+  TextStyle tick;
+  TextStyle legend;
+  double line;         ///< width of a series' line
+  double marker;       ///< diameter
+  double marker_line;  ///< width of an open marker's outline
+  int frame;           ///< width of a panel's outline
+  int grid;
+  double tick_length;
+  double gap;  ///< between things that stand beside each other
+};
+
+/// The way from data to pixels along one axis.
+struct AxisMap {
+  AxisRange range;
+  double start = 0;  ///< pixel of range.lo
+  double end = 0;    ///< pixel of range.hi
+
+  double operator()(double value) const {
+    return start + (value - range.lo) / (range.hi - range.lo) * (end - start);
+  }
+};
+
+struct LegendLayout {
+  Rect box;
+  bool outside = false;             ///< above the panel, as no place inside was free of data
+  std::vector<std::size_t> series;  ///< indices of the entries
+  std::vector<Point> at;            ///< left end of each entry's base line
+};
+
+struct PanelLayout {
+  Rect frame;  ///< whole pixels
+  AxisMap x;
+  AxisMap y;
+  AxisTicks x_ticks;
+  AxisTicks y_ticks;
+  bool x_labels = true;   ///< false where the panel below shows them
+  double title_base = 0;  ///< base lines of what stands around the frame, pixels
+  double x_tick_base = 0;
+  double x_label_base = 0;
+  double y_label_base = 0;  ///< of the turned text: an x
+  double y_exponent_base = 0;
+  std::optional<LegendLayout> legend;
+};
+
+struct PlotLayout {
+  double title_base = 0;
+  std::vector<PanelLayout> panels;
+};
+
+/// Where everything in a plot goes. Needs the font, but nothing that draws.
+/// Throws OutputError when a series' x and y differ in number, a given range is not one, or the plot is too
+/// small.
+PlotLayout plot_layout(const Plot& plot, const Font& font);
+
+/// Points of a series in pixels; those that are not finite stay so.
+std::vector<Point> pixels(const Series& series, const PanelLayout& panel);
+
+/// "×10^{−5}" for -5, empty for 0.
+std::string exponent_label(int exponent);
+
+/// Length of the sample of a line in the legend, pixels.
+double legend_sample(const PlotSizes& sizes);
+
+}  // namespace plumb

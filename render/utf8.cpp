@@ -1,0 +1,46 @@
+#include "render/utf8.h"
+
+#include <cstddef>
+
+namespace plumb {
+
+namespace {
+
+constexpr char32_t replacement = 0xFFFD;
+
+// Bytes that follow a lead byte, or -1 if it cannot lead.
+int followers(unsigned char lead) {
+  if (lead < 0x80) return 0;
+  if (lead >= 0xC2 && lead < 0xE0) return 1;
+  if (lead >= 0xE0 && lead < 0xF0) return 2;
+  if (lead >= 0xF0 && lead < 0xF5) return 3;
+  return -1;
+}
+
+bool is_character(char32_t point, int follower_count) {
+  constexpr char32_t smallest[] = {0, 0x80, 0x800, 0x10000};  // less could have been written shorter
+  return point >= smallest[follower_count] && point <= 0x10FFFF && !(point >= 0xD800 && point < 0xE000);
+}
+
+}  // namespace
+
+std::u32string decode_utf8(std::string_view text) {
+  std::u32string points;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const int n = followers(lead);
+    char32_t point = n == 0 ? lead : lead & (0x3FU >> n);
+    bool valid = n >= 0 && i + static_cast<std::size_t>(n) < text.size();
+    for (int k = 1; valid && k <= n; ++k) {
+      const auto byte = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
+      valid = (byte & 0xC0) == 0x80;
+      point = (point << 6) | (byte & 0x3FU);
+    }
+    valid = valid && is_character(point, n);
+    points.push_back(valid ? point : replacement);
+    i += valid ? static_cast<std::size_t>(n) + 1 : 1;
+  }
+  return points;
+}
+
+}  // namespace plumb
