@@ -20,7 +20,7 @@ inline std::vector<MethodParameter> newton_parameters() {
           {.name = "newton_iterations",
            .meaning = "most corrections in a step",
            .minimum = 1,
-           .maximum = 1000,
+           .maximum = 100,
            .fallback = 20,
            .whole = true}};
 }

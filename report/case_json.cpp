@@ -1,0 +1,66 @@
+#include "report/case_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const Vec3& v) {
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+Json solve_json(const Run& run) {
+  const Trajectory& t = run.trajectory;
+  Json json{{"outcome", word(t.outcome)},
+            {"message", t.message},
+            {"method", run.loaded.spec.method.name},
+            {"elements", t.elements},
+            {"end_time", t.end_time},
+            {"outputs", t.times.size()},
+            {"interpolated_outputs", t.interpolated_outputs},
+            {"solve_seconds", t.solve_seconds},
+            {"steps", t.counters.steps},
+            {"rejected_steps", t.counters.rejected_steps},
+            {"force_evaluations", t.counters.force_evaluations},
+            {"tangent_evaluations", t.counters.tangent_evaluations},
+            {"factorizations", t.counters.factorizations},
+            {"newton_iterations", t.counters.newton_iterations},
+            {"energy_drift", t.relative_energy_drift()}};
+  return json;
+}
+
+Json case_json(const LoadedCase& loaded) {
+  const Case& spec = loaded.spec;
+  Json method{{"name", spec.method.name}};
+  if (spec.method.step) method["step"] = *spec.method.step;
+  if (spec.method.rtol) method["rtol"] = *spec.method.rtol;
+  if (spec.method.atol) method["atol"] = *spec.method.atol;
+  for (const auto& [name, value] : spec.method.parameters) method[name] = value;
+  Json json;
+  json["file"] = loaded.source.file.name;
+  json["overrides"] = loaded.source.overrides;
+  json["parameters"] = spec.parameters;
+  json["cable"] = {{"length", spec.cable.length},
+                   {"area", spec.cable.area},
+                   {"density", spec.cable.density},
+                   {"youngs_modulus", spec.cable.youngs_modulus},
+                   {"second_moment", spec.cable.second_moment},
+                   {"elements", spec.cable.elements},
+                   {"strain", word(spec.cable.strain)},
+                   {"quadrature", word(spec.cable.quadrature)}};
+  json["start"] = {{"direction", vector_json(spec.start.direction)},
+                   {"angular_velocity", vector_json(spec.start.angular_velocity)},
+                   {"slope_rates", word(spec.start.slope_rates)}};
+  json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
+  json["loads"] = {{"gravity", vector_json(spec.loads.gravity)}};
+  json["method"] = method;
+  json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
+  json["text"] = loaded.source.file.text;
+  return json;
+}
+
+}  // namespace plumb

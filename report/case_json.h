@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/output/run.h"
+
+namespace plumb {
+
+/// What an integration did and cost, as `plumb solve --json` prints it: outcome, method, elements, end_time,
+/// solve_seconds, counters, energy_drift (relative to the first kinetic energy).
+nlohmann::ordered_json solve_json(const Run& run);
+
+/// A case as it was understood: every key with its value in SI units, and the text it came from.
+nlohmann::ordered_json case_json(const LoadedCase& loaded);
+
+}  // namespace plumb

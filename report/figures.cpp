@@ -1,0 +1,153 @@
+#include "report/figures.h"
+
+#include <fmt/format.h>
+
+namespace plumb {
+namespace {
+
+constexpr double difference_share = 0.4;  // height of the lower panel against 1
+
+/// Values and unit of a column, or of time.
+struct Data {
+  const std::vector<double>& values;
+  std::string unit;
+};
+
+Data data_of(const Run& run, const std::string& column) {
+  if (column == "t") return {run.probes.times, "s"};
+  const Column& found = *run.probes.find(column);
+  return {found.values, found.unit};
+}
+
+std::string label(const std::string& given, const std::string& column, const std::string& unit) {
+  const std::string name = !given.empty() ? given : column == "t" ? "time" : column;
+  return fmt::format("{} [{}]", name, unit);
+}
+
+const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& errors, const FigureSpec& spec,
+                              const std::string& column) {
+  for (const SeriesError& error : errors)
+    if (run.loaded.spec.references[error.reference].name == spec.reference && error.column == column)
+      return &error;
+  return nullptr;
+}
+
+Series points(const std::string& name, std::vector<double> x, std::vector<double> y) {
+  Series series;
+  series.label = name;
+  series.x = std::move(x);
+  series.y = std::move(y);
+  series.line_width = 0;
+  series.marker = Marker::circle;
+  return series;
+}
+
+Series line(const std::string& name, std::vector<double> x, std::vector<double> y) {
+  Series series;
+  series.label = name;
+  series.x = std::move(x);
+  series.y = std::move(y);
+  return series;
+}
+
+Panel difference_panel(const std::vector<const SeriesError*>& errors) {
+  Panel panel;
+  panel.height_share = difference_share;
+  panel.x.label = "time [s]";
+  panel.y.label = fmt::format("difference [{}]", errors.front()->unit);
+  panel.y.zero_line = true;
+  for (const SeriesError* error : errors)
+    panel.series.push_back(line(errors.size() > 1 ? error->column : "", error->times, error->difference));
+  return panel;
+}
+
+std::string alt_text(const FigureSpec& spec, const std::vector<const SeriesError*>& compared) {
+  std::string text = fmt::format("Plot of {} over {}", spec.y, spec.x == "t" ? "time" : spec.x);
+  for (const SeriesError* error : compared)
+    text += fmt::format("{} {}: greatest difference {:.3g} {} at {:.4g} s",
+                        error == compared.front() ? " with the reference's points under it." : ";",
+                        error->column, error->max, error->unit, error->max_time);
+  return text + ".";
+}
+
+Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<SeriesError>& errors) {
+  const Data x = data_of(run, spec.x), y = data_of(run, spec.y);
+  Panel panel;
+  panel.x.label = label(spec.x_label, spec.x, x.unit);
+  panel.y.label = label(spec.y_label, spec.y, y.unit);
+  panel.equal_axes = spec.equal_axes;
+  panel.series.push_back(line("Plumb", x.values, y.values));
+
+  std::vector<const SeriesError*> compared;
+  const SeriesError* of_y = find_error(run, errors, spec, spec.y);
+  const SeriesError* of_x = find_error(run, errors, spec, spec.x);
+  if (of_y && !of_y->times.empty() && (of_x || spec.x == "t")) {
+    const Reference& reference = run.loaded.references[of_y->reference];
+    panel.series.push_back(points(reference.kind == ReferenceKind::published ? "published" : "computed",
+                                  of_x ? of_x->expected : of_y->times, of_y->expected));
+    if (of_x) compared.push_back(of_x);
+    compared.push_back(of_y);
+  }
+
+  Figure figure;
+  figure.name = spec.name;
+  figure.title = spec.title.empty() ? spec.name : spec.title;
+  figure.alt = alt_text(spec, compared);
+  figure.plot.title = figure.title;
+  figure.plot.height = spec.equal_axes ? 1800 : 1200;
+  panel.shares_x_below = spec.x == "t" && !compared.empty();
+  figure.plot.panels.push_back(std::move(panel));
+  if (!compared.empty()) figure.plot.panels.push_back(difference_panel(compared));
+  return figure;
+}
+
+Figure energy_figure(const Run& run) {
+  const Trajectory& trajectory = run.trajectory;
+  const auto part = [&](const std::string& name, auto value) {
+    std::vector<double> values;
+    for (const Energies& e : trajectory.energies) values.push_back(value(e));
+    return line(name, trajectory.times, std::move(values));
+  };
+  Panel energies;
+  energies.x.label = "time [s]";
+  energies.y.label = "energy [J]";
+  energies.shares_x_below = true;
+  energies.series = {part("kinetic", [](const Energies& e) { return e.kinetic; }),
+                     part("axial strain", [](const Energies& e) { return e.axial; }),
+                     part("bending strain", [](const Energies& e) { return e.bending; }),
+                     part("potential", [](const Energies& e) { return e.potential; }),
+                     part("total", [](const Energies& e) { return e.total(); })};
+  energies.series.back().color = Color{};
+  energies.series.back().dash = Dash::dashed;
+  const double first = trajectory.energies.empty() ? 0 : trajectory.energies.front().total();
+  const double kinetic = trajectory.energies.empty() ? 0 : trajectory.energies.front().kinetic;
+  Panel drift;
+  drift.x.label = "time [s]";
+  drift.y.label = kinetic > 0 ? "drift / first kinetic" : "drift [J]";
+  drift.y.zero_line = true;
+  drift.height_share = difference_share;
+  drift.series = {
+      part("", [&](const Energies& e) { return (e.total() - first) / (kinetic > 0 ? kinetic : 1); })};
+
+  Figure figure;
+  figure.name = "energy";
+  figure.title = "Energy over time";
+  figure.alt = fmt::format(
+      "Plot of kinetic, axial, bending, potential and total energy over time. The total drifts by at most "
+      "{:.3g} J.",
+      trajectory.energy_drift());
+  figure.plot.title = figure.title;
+  figure.plot.panels = {std::move(energies), std::move(drift)};
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& errors) {
+  std::vector<Figure> result;
+  for (const FigureSpec& spec : run.loaded.spec.figures) result.push_back(case_figure(run, spec, errors));
+  result.push_back(energy_figure(run));
+  return result;
+}
+
+}  // namespace plumb

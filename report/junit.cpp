@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "report/escape.h"
+#include "report/results.h"
+
+namespace plumb {
+namespace {
+
+struct TestCase {
+  std::string name;
+  VerdictStatus status;
+  std::string message;
+  double seconds = 0;
+};
+
+struct Suite {
+  std::string name;
+  std::vector<TestCase> cases;
+};
+
+std::vector<Suite> suites(const Results& results) {
+  const Trajectory& t = results.run.trajectory;
+  std::vector<Suite> all;
+  all.push_back(
+      {"integration",
+       {{t.elements > 0 ? fmt::format("{}, {} elements", results.run.loaded.spec.method.name, t.elements)
+                        : results.run.loaded.spec.method.name,
+         results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
+         std::max(0.0, t.solve_seconds)}}});
+  for (const VerdictKind kind : {VerdictKind::verification, VerdictKind::validation, VerdictKind::regression,
+                                 VerdictKind::performance}) {
+    Suite suite{std::string(word(kind)), {}};
+    for (const Verdict& verdict : results.verdicts)
+      if (verdict.kind == kind)
+        suite.cases.push_back({verdict.name + ": " + verdict.criterion, verdict.status, verdict.message, 0});
+    if (!suite.cases.empty()) all.push_back(std::move(suite));
+  }
+  return all;
+}
+
+long count(const Suite& suite, VerdictStatus status) {
+  return std::count_if(suite.cases.begin(), suite.cases.end(),
+                       [&](const TestCase& c) { return c.status == status; });
+}
+
+}  // namespace
+
+std::string to_junit(const Results& results) {
+  const std::vector<Suite> all = suites(results);
+  long tests = 0, failures = 0, skipped = 0;
+  for (const Suite& suite : all) {
+    tests += std::ssize(suite.cases);
+    failures += count(suite, VerdictStatus::failed);
+    skipped += count(suite, VerdictStatus::not_run);
+  }
+  const std::string title = escape_xml(results.run.loaded.spec.title);
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" "
+      "skipped=\"{}\">\n",
+      title, tests, failures, skipped);
+  for (const Suite& suite : all) {
+    xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
+                       suite.name, suite.cases.size(), count(suite, VerdictStatus::failed),
+                       count(suite, VerdictStatus::not_run));
+    for (const TestCase& test : suite.cases) {
+      xml += fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", title, suite.name,
+                         escape_xml(test.name), test.seconds);
+      if (test.status == VerdictStatus::passed) {
+        xml += "/>\n";
+        continue;
+      }
+      const char* element = test.status == VerdictStatus::failed ? "failure" : "skipped";
+      xml +=
+          fmt::format(">\n      <{} message=\"{}\"/>\n    </testcase>\n", element, escape_xml(test.message));
+    }
+    xml += "  </testsuite>\n";
+  }
+  return xml + "</testsuites>\n";
+}
+
+}  // namespace plumb

@@ -1,0 +1,5 @@
+#include "report/program/verbs.h"
+
+int main(int count, char** arguments) {
+  return plumb::program(count, arguments);
+}

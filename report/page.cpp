@@ -1,0 +1,248 @@
+#include "report/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <stdexcept>
+
+#include "engine/integrate/method_info.h"
+#include "report/base64.h"
+#include "report/escape.h"
+
+namespace plumb {
+
+extern const std::string_view page_mustache;
+extern const std::string_view page_css;
+extern const std::string_view formulation_mustache;
+
+namespace {
+
+using kainjow::mustache::data;
+
+std::string number(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+std::string data_uri(const std::string& png) {
+  return "data:image/png;base64," + base64(png);
+}
+
+data verdict_rows(const Results& results) {
+  std::vector<const Verdict*> order;
+  for (const Verdict& verdict : results.verdicts) order.push_back(&verdict);
+  // What failed comes first, then what was not run.
+  std::stable_sort(order.begin(), order.end(), [](const Verdict* a, const Verdict* b) {
+    const auto rank = [](const Verdict* v) {
+      return v->status == VerdictStatus::failed ? 0 : v->status == VerdictStatus::not_run ? 1 : 2;
+    };
+    return rank(a) < rank(b);
+  });
+  data rows{data::type::list};
+  for (const Verdict* verdict : order) {
+    data row;
+    row["status"] = std::string(word(verdict->status));
+    row["class"] = verdict->status == VerdictStatus::passed   ? "passed"
+                   : verdict->status == VerdictStatus::failed ? "failed"
+                                                              : "not-run";
+    row["kind"] = std::string(word(verdict->kind));
+    row["name"] = verdict->name;
+    row["criterion"] = verdict->criterion;
+    row["found"] =
+        verdict->status == VerdictStatus::not_run ? "not run" : number(verdict->value) + " " + verdict->unit;
+    row["share"] = verdict->status == VerdictStatus::not_run
+                       ? "–"
+                       : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
+    row["message"] = verdict->message;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+data error_rows(const Results& results) {
+  const Run& run = results.run;
+  data rows{data::type::list};
+  for (const SeriesError& error : results.errors) {
+    const ReferenceUse& use = run.loaded.spec.references[error.reference];
+    const ReferenceSeries& series = *run.loaded.references[error.reference].find(error.series);
+    const double length = run.loaded.spec.cable.length;
+    data row;
+    row["reference"] = use.name;
+    row["column"] = error.column;
+    row["series"] = fmt::format("{} ({})", series.description, series.figure);
+    row["unit"] = error.unit;
+    row["points"] = std::to_string(error.times.size());
+    const bool any = !error.times.empty();
+    row["max"] = any ? number(error.max) : "not run";
+    row["max_time"] = any ? number(error.max_time) : "–";
+    row["rms"] = any ? number(error.rms) : "not run";
+    row["max_relative"] = any && error.unit == "m" ? number(error.max / length) : "–";
+    row["rms_relative"] = any && error.unit == "m" ? number(error.rms / length) : "–";
+    row["uncertainty"] = number(series.uncertainty);
+    row["basis"] = series.uncertainty_basis;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+data reference_rows(const Results& results) {
+  data rows{data::type::list};
+  const auto& references = results.run.loaded.references;
+  for (std::size_t r = 0; r < references.size(); ++r) {
+    const ReferenceUse& use = results.run.loaded.spec.references[r];
+    data row;
+    row["name"] = use.name;
+    row["title"] = references[r].title;
+    row["published"] = references[r].kind == ReferenceKind::published;
+    row["kind"] = references[r].kind == ReferenceKind::published
+                      ? "published, so it can validate"
+                      : "computed, so it can verify but not validate";
+    row["source"] = references[r].source;
+    row["obtained"] = references[r].obtained;
+    row["reason"] = use.reason;
+    row["has_reason"] = !use.reason.empty();
+    data notes{data::type::list};
+    for (const std::string& note : references[r].notes) notes.push_back(data{"note", note});
+    row.set("notes", notes);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+data pair_row(const std::string& name, const std::string& value) {
+  data row;
+  row["name"] = name;
+  row["value"] = value;
+  return row;
+}
+
+data cost_rows(const Results& results) {
+  const Trajectory& t = results.run.trajectory;
+  const Counters& c = t.counters;
+  const auto count = [](long n) { return n < 0 ? std::string("not counted") : std::to_string(n); };
+  data rows{data::type::list};
+  rows.push_back(pair_row("outcome", std::string(word(t.outcome))));
+  rows.push_back(pair_row("method", results.run.loaded.spec.method.name));
+  rows.push_back(pair_row("elements", std::to_string(t.elements)));
+  rows.push_back(pair_row("time reached", number(t.end_time) + " s"));
+  rows.push_back(pair_row("steps (rejected)", count(c.steps) + " (" + count(c.rejected_steps) + ")"));
+  rows.push_back(pair_row("force evaluations", count(c.force_evaluations)));
+  rows.push_back(pair_row("tangent evaluations", count(c.tangent_evaluations)));
+  rows.push_back(pair_row("factorizations of the block banded matrix", count(c.factorizations)));
+  rows.push_back(pair_row("Newton iterations", count(c.newton_iterations)));
+  rows.push_back(pair_row("time loop", t.solve_seconds < 0 ? "not run" : number(t.solve_seconds) + " s"));
+  rows.push_back(
+      pair_row("outputs (interpolated)", fmt::format("{} ({})", t.times.size(), t.interpolated_outputs)));
+  return rows;
+}
+
+data case_rows(const Case& spec) {
+  const CableSpec& cable = spec.cable;
+  const auto vector = [](const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); };
+  const auto exact = [](double value) { return fmt::format("{:.12g}", value); };
+  data rows{data::type::list};
+  for (const auto& [name, value] : spec.parameters)
+    rows.push_back(pair_row("parameter " + name, exact(value)));
+  rows.push_back(pair_row("length L", exact(cable.length) + " m"));
+  rows.push_back(pair_row("axial stiffness EA", exact(cable.youngs_modulus * cable.area) + " N"));
+  rows.push_back(
+      pair_row("bending stiffness EI", exact(cable.youngs_modulus * cable.second_moment) + " N m²"));
+  rows.push_back(pair_row("mass per length ρA", exact(cable.density * cable.area) + " kg/m"));
+  rows.push_back(pair_row("strain model", std::string(word(cable.strain))));
+  rows.push_back(pair_row("quadrature", std::string(word(cable.quadrature))));
+  rows.push_back(pair_row("direction at the start", vector(spec.start.direction)));
+  rows.push_back(pair_row("angular velocity at the start", vector(spec.start.angular_velocity) + " rad/s"));
+  rows.push_back(pair_row("slope rates at the start", std::string(word(spec.start.slope_rates))));
+  rows.push_back(
+      pair_row("supports", fmt::format("{} – {}", word(spec.supports.first), word(spec.supports.last))));
+  rows.push_back(pair_row("gravity", vector(spec.loads.gravity) + " m/s²"));
+  std::string method = spec.method.name;
+  if (spec.method.step) method += fmt::format(", step {:.6g} s", *spec.method.step);
+  if (spec.method.rtol)
+    method += fmt::format(", rtol {:.6g}, atol {:.6g}", *spec.method.rtol, *spec.method.atol);
+  for (const auto& [name, value] : spec.method.parameters) method += fmt::format(", {} {:.6g}", name, value);
+  rows.push_back(pair_row("method", method));
+  return rows;
+}
+
+data pairs(const std::vector<std::pair<std::string, std::string>>& items) {
+  data rows{data::type::list};
+  for (const auto& [name, value] : items) rows.push_back(pair_row(name, value));
+  return rows;
+}
+
+std::string render(std::string_view text, const data& values) {
+  kainjow::mustache::mustache page{std::string(text)};
+  page.set_custom_escape([](const std::string& raw) { return escape_xml(raw); });
+  if (!page.is_valid()) throw std::logic_error("page template: " + page.error_message());
+  return page.render(values);
+}
+
+}  // namespace
+
+std::string to_page(const Results& results, const Pictures& pictures) {
+  const Run& run = results.run;
+  const Case& spec = run.loaded.spec;
+  const Trajectory& trajectory = run.trajectory;
+
+  data formulation;
+  formulation["green"] = spec.cable.strain == StrainModel::green_geometric;
+  formulation["full"] = spec.cable.quadrature == QuadratureRule::full;
+  const MethodInfo& method = *find_method(spec.method.name);
+  formulation["method"] = method.name;
+  formulation["method_summary"] = method.summary;
+  formulation["method_order"] = method.order;
+  formulation["method_source"] = method.source;
+
+  data page;
+  page["css"] = std::string(page_css);
+  page["title"] = spec.title;
+  page["headline"] = headline(results);
+  page["good"] = results.solved() && all_passed(results.verdicts);
+  page["solved"] = results.solved();
+  page["message"] = trajectory.message;
+  page["outcome"] = std::string(word(trajectory.outcome));
+  page["has_verdicts"] = !results.verdicts.empty();
+  page["verdicts"] = verdict_rows(results);
+  page["has_errors"] = !results.errors.empty();
+  page["errors"] = error_rows(results);
+  page["references"] = reference_rows(results);
+  data figures{data::type::list};
+  for (const Picture& picture : pictures.figures) {
+    data row;
+    row["title"] = picture.title;
+    row["alt"] = picture.alt;
+    row["file"] = picture.file;
+    row["uri"] = data_uri(picture.png);
+    figures.push_back(row);
+  }
+  page.set("figures", figures);
+  page["animation"] = data_uri(pictures.page_animation);
+  page["animation_width"] = std::to_string(pictures.page_animation_width);
+  page["animation_height"] = std::to_string(pictures.page_animation_height);
+  page["frames"] = std::to_string(pictures.frames);
+  page["frame_rate"] = number(pictures.frame_rate);
+  page["end_time"] = number(trajectory.end_time);
+  page["first_kinetic"] =
+      trajectory.energies.empty() ? "not run" : number(trajectory.energies.front().kinetic);
+  page["drift"] = number(trajectory.energy_drift());
+  page["relative_drift"] = number(trajectory.relative_energy_drift());
+  page["cost"] = cost_rows(results);
+  page["formulation"] = render(formulation_mustache, formulation);
+  page["case_rows"] = case_rows(spec);
+  page["case_name"] = run.loaded.source.file.name;
+  page["case_text"] = run.loaded.source.file.text;
+  data overrides{data::type::list};
+  for (const std::string& override_text : run.loaded.source.overrides)
+    overrides.push_back(data{"override", override_text});
+  page["has_overrides"] = !run.loaded.source.overrides.empty();
+  page.set("overrides", overrides);
+  page["provenance"] = pairs(run.provenance);
+  std::vector<std::pair<std::string, std::string>> stages;
+  for (const auto& [name, seconds] : results.stages.all())
+    stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
+  page["stages"] = pairs(stages);
+  return render(page_mustache, page);
+}
+
+}  // namespace plumb

@@ -1,0 +1,94 @@
+#include "report/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <future>
+
+#include "engine/interrupt.h"
+#include "engine/output/file_writing.h"
+#include "render/apng.h"
+#include "render/gl_context.h"
+#include "render/plot_renderer.h"
+#include "render/png.h"
+#include "render/scene.h"
+
+namespace plumb {
+namespace {
+
+/// Draws every frame and hands its PNG to `take`, in order. One frame is encoded while the next is drawn.
+void draw_frames(SceneRenderer& scene, const PngTexts& texts,
+                 const std::function<void(int, std::string)>& take) {
+  constexpr std::size_t waiting = 2;
+  std::deque<std::pair<int, std::future<std::string>>> encoding;
+  const auto take_first = [&] {
+    take(encoding.front().first, encoding.front().second.get());
+    encoding.pop_front();
+  };
+  for (int k = 0; k < scene.frame_count(); ++k) {
+    stop_if_interrupted();
+    encoding.emplace_back(k, std::async(std::launch::async, [image = scene.frame(k), &texts] {
+                            return encode_png(image, texts);
+                          }));
+    if (encoding.size() > waiting) take_first();
+  }
+  while (!encoding.empty()) take_first();
+}
+
+/// The scene as the page shows it: at most this wide and this often, so that one file holds the whole report.
+constexpr int page_width = 640;
+constexpr double page_frame_rate = 12.5;
+
+SceneSpec page_scene(SceneSpec spec) {
+  if (spec.size[0] > page_width) {
+    spec.size[1] = std::max(16, spec.size[1] * page_width / spec.size[0]);
+    spec.size[0] = page_width;
+  }
+  spec.frame_rate = std::min(spec.frame_rate, page_frame_rate);
+  return spec;
+}
+
+}  // namespace
+
+Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress) {
+  Pictures result;
+  const PngTexts texts{{"Software", "Plumb"}, {"Title", run.loaded.source.file.name}};
+  stages.begin("figures");
+  const GlContext context;
+  PlotRenderer plots(context);
+  for (const Figure& figure : figures(run, errors)) {
+    stop_if_interrupted();
+    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
+                    encode_png(plots.draw(figure.plot), texts)};
+    write_file(folder.file(picture.file), picture.png);
+    result.figures.push_back(std::move(picture));
+  }
+
+  stages.begin("frames");
+  SceneInput input = scene_input(run.loaded.spec);
+  SceneRenderer scene(context, run.trajectory, input);
+  std::vector<std::string> frames;
+  draw_frames(scene, texts, [&](int k, std::string png) {
+    write_file(folder.file(fmt::format("frames/{:04}.png", k)), png);
+    frames.push_back(std::move(png));
+    if (progress) progress(static_cast<double>(k + 1) / scene.frame_count());
+  });
+  result.frames = scene.frame_count();
+  result.frame_rate = input.spec.frame_rate;
+
+  stages.begin("animation");
+  write_file(folder.file("animation.png"), join_apng(frames, input.spec.frame_rate));
+  frames.clear();
+  input.spec = page_scene(input.spec);
+  SceneRenderer small(context, run.trajectory, input);
+  draw_frames(small, texts, [&](int, std::string png) { frames.push_back(std::move(png)); });
+  result.page_animation = join_apng(frames, input.spec.frame_rate);
+  result.page_animation_width = input.spec.size[0];
+  result.page_animation_height = input.spec.size[1];
+  stages.end();
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/output/output_folder.h"
+#include "report/figures.h"
+#include "report/stages.h"
+
+namespace plumb {
+
+/// A drawn figure.
+struct Picture {
+  std::string file;  ///< "figures/mid_height.png"
+  std::string title;
+  std::string alt;
+  std::string png;
+};
+
+/// What was drawn of a run, as the page needs it.
+struct Pictures {
+  std::vector<Picture> figures;
+  int frames = 0;
+  double frame_rate = 0;          ///< 1/s
+  int page_animation_width = 0;   ///< pixels
+  int page_animation_height = 0;  ///< pixels
+  std::string page_animation;     ///< animated PNG small enough for the page
+};
+
+/// Called now and then with the share done, 0 to 1.
+using DrawingProgress = std::function<void(double)>;
+
+/// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
+/// animation.png. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress = {});
+
+}  // namespace plumb

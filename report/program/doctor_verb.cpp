@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "engine/integrate/method_info.h"
+#include "engine/output/provenance.h"
+#include "render/gl_context.h"
+#include "report/program/verbs.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string keys_of(const MethodInfo& method) {
+  std::string keys = method.takes_step ? "step" : "rtol, atol";
+  for (const MethodParameter& p : method.parameters)
+    keys += fmt::format("; {} in [{:g}, {:g}], default {:g}", p.name, p.minimum, p.maximum, p.fallback);
+  return keys;
+}
+
+Json method_json(const MethodInfo& method) {
+  return {{"name", method.name},       {"order", method.order},   {"implicit", method.implicit},
+          {"summary", method.summary}, {"source", method.source}, {"keys", keys_of(method)}};
+}
+
+}  // namespace
+
+ExitStatus doctor_verb(const Options& options, Talk& talk) {
+  const GlContext context;
+  const GlInfo& gl = context.info();
+  const Provenance provenance = provenance_now();
+  talk.line("Renderer");
+  talk.line(fmt::format("  {}, OpenGL {}", gl.renderer, gl.version));
+  talk.line(fmt::format("  pictures up to {} pixels a side after supersampling, {} samples a pixel",
+                        gl.max_size, gl.max_samples));
+  talk.line("Program");
+  for (const auto& [name, value] : provenance) talk.line(fmt::format("  {:<22}{}", name, value));
+  talk.line("Methods: order, what they are, and the keys of [method] they take");
+  for (const MethodInfo& method : method_infos()) {
+    talk.line(fmt::format("  {:<25}{:<8}{}", method.name, method.order, method.summary));
+    talk.line(talk.faint(fmt::format("  {:<33}{}", "", keys_of(method))));
+  }
+  if (options.json) {
+    Json json{{"renderer", gl.renderer},
+              {"opengl", gl.version},
+              {"max_size", gl.max_size},
+              {"max_samples", gl.max_samples}};
+    json["methods"] = Json::array();
+    for (const MethodInfo& method : method_infos()) json["methods"].push_back(method_json(method));
+    for (const auto& [name, value] : provenance) json["provenance"][name] = value;
+    std::fputs((json.dump(1) + "\n").c_str(), stdout);
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace plumb

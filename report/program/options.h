@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace plumb {
+
+/// How the program ends.
+enum class ExitStatus {
+  done = 0,
+  criterion_not_met = 1,
+  wrong_usage = 2,
+  invalid_input = 3,
+  solver_failed = 4,
+  output_failed = 5,
+  interrupted = 130,
+};
+
+/// What the command line said, for all verbs.
+struct Options {
+  std::string input;                   ///< case file or run
+  std::vector<std::string> overrides;  ///< of --set
+  std::string output;                  ///< of -o; empty: not given
+  std::string csv;                     ///< of --csv; empty: not given
+  bool json = false;
+  bool quiet = false;
+};
+
+}  // namespace plumb

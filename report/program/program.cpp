@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "engine/errors.h"
+#include "engine/input/nearest.h"
+#include "engine/interrupt.h"
+#include "report/program/verbs.h"
+
+namespace plumb {
+namespace {
+
+constexpr const char* exit_statuses =
+    "Exit status: 0 done and every criterion met; 1 a criterion not met; 2 wrong usage; 3 invalid case, "
+    "reference or\n"
+    "run file; 4 the solver failed; 5 drawing or writing failed; 130 interrupted.";
+
+int fail(const std::string& message, ExitStatus status) {
+  std::fputs(("plumb: " + message + "\n").c_str(), stderr);
+  return static_cast<int>(status);
+}
+
+/// A word that is no verb where a verb should be is refused with the nearest verb.
+void refuse_unknown_verb(int count, const char* const* arguments) {
+  if (count < 2 || arguments[1][0] == '-') return;
+  const std::string word = arguments[1];
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs()) names.push_back(verb.name);
+  if (std::find(names.begin(), names.end(), word) == names.end())
+    throw UsageError(fmt::format("'{}' is no verb{}", word, suggestion(word, names)));
+}
+
+void add_verb(const Verb& verb, CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand(verb.name, verb.summary);
+  command->footer(exit_statuses);
+  if (!verb.input.empty())
+    command
+        ->add_option(verb.input, options.input,
+                     verb.input == "CASE" ? "case file (TOML)" : "run.h5, or its folder")
+        ->required()
+        ->type_name("");
+  if (verb.takes_overrides)
+    command
+        ->add_option("--set", options.overrides,
+                     "set a key of the case, such as cable.elements=8 (repeatable)")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  if (verb.takes_output)
+    command
+        ->add_option("-o,--output", options.output,
+                     verb.input == "CASE" ? "output folder; default: output/ and the name of the case file"
+                                          : "output folder; default: that of the run")
+        ->type_name("DIR");
+  if (verb.takes_csv)
+    command
+        ->add_option("--csv", options.csv,
+                     "write the probes to FILE (- for standard output); then a folder only with -o")
+        ->type_name("FILE");
+  command->add_flag("--json", options.json, "the result as JSON on standard output, talk on standard error");
+  command->add_flag("--quiet", options.quiet, "say nothing but errors");
+}
+
+int parse_and_act(int count, const char* const* arguments) {
+  refuse_unknown_verb(count, arguments);
+  CLI::App app{
+      "Plumb integrates a flexible cable pendulum, draws it without a display, and reports how far it can be "
+      "trusted.",
+      "plumb"};
+  app.footer(exit_statuses);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "Plumb " PLUMB_VERSION);
+  Options options;
+  for (const Verb& verb : verbs()) add_verb(verb, app, options);
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    // Help and version are "errors" with status 0.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    throw UsageError(std::string(error.what()) + " (see plumb --help)");
+  }
+  if (options.json && options.csv == "-")
+    throw UsageError("--json and --csv - cannot both have standard output");
+  Talk talk(options.json || options.csv == "-", options.quiet);
+  const std::string chosen = app.get_subcommands().front()->get_name();
+  for (const Verb& verb : verbs())
+    if (verb.name == chosen) return static_cast<int>(verb.act(options, talk));
+  throw std::logic_error("verb " + chosen + " is parsed but unknown");
+}
+
+}  // namespace
+
+int program(int count, const char* const* arguments) {
+  catch_interrupts();
+  try {
+    return parse_and_act(count, arguments);
+  } catch (const UsageError& error) {
+    return fail(error.what(), ExitStatus::wrong_usage);
+  } catch (const InputError& error) {
+    return fail(error.what(), ExitStatus::invalid_input);
+  } catch (const OutputError& error) {
+    return fail(error.what(), ExitStatus::output_failed);
+  } catch (const Interrupted& error) {
+    return fail(error.what(), ExitStatus::interrupted);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", ExitStatus::output_failed);
+  } catch (const std::exception& error) {
+    return fail(fmt::format("internal error: {}", error.what()), ExitStatus::output_failed);
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,30 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/output/file_writing.h"
+#include "report/case_json.h"
+#include "report/program/verbs.h"
+#include "report/program/work.h"
+
+namespace plumb {
+
+ExitStatus solve_verb(const Options& options, Talk& talk) {
+  const LoadedCase loaded = load(options, talk);
+  std::optional<OutputFolder> folder;
+  if (options.csv.empty() || !options.output.empty()) folder.emplace(output_path(options, loaded));
+  const Run run = solve(loaded, talk);
+  if (folder) {
+    write_run(run, *folder);
+    folder->commit();
+    talk.line("run: " + folder->path() + "/run.h5");
+  }
+  if (options.csv == "-")
+    std::fputs(to_csv(run.probes).c_str(), stdout);
+  else if (!options.csv.empty())
+    write_file(options.csv, to_csv(run.probes));
+  if (options.json) std::fputs((solve_json(run).dump(1) + "\n").c_str(), stdout);
+  return run.trajectory.outcome == Outcome::completed ? ExitStatus::done : ExitStatus::solver_failed;
+}
+
+}  // namespace plumb

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "report/program/options.h"
+#include "report/program/talk.h"
+
+namespace plumb {
+
+/// A verb of the program: what it is called, what it does, and what it takes.
+struct Verb {
+  std::string name;
+  std::string summary;
+  std::string input;  ///< what its argument is called in the help: "CASE", "RUN"; empty: takes none
+  bool takes_overrides = false;
+  bool takes_output = false;
+  bool takes_csv = false;
+  ExitStatus (*act)(const Options& options, Talk& talk) = nullptr;
+};
+
+std::span<const Verb> verbs();
+
+ExitStatus run_verb(const Options& options, Talk& talk);
+ExitStatus solve_verb(const Options& options, Talk& talk);
+ExitStatus render_verb(const Options& options, Talk& talk);
+ExitStatus report_verb(const Options& options, Talk& talk);
+ExitStatus check_verb(const Options& options, Talk& talk);
+ExitStatus doctor_verb(const Options& options, Talk& talk);
+
+/// Reads the arguments, acts, and turns every error into one line on standard error and its exit status.
+int program(int count, const char* const* arguments);
+
+}  // namespace plumb

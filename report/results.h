@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/output/run.h"
+#include "report/series_error.h"
+#include "report/stages.h"
+#include "report/verdict.h"
+
+namespace plumb {
+
+/// Version of results.json; rises when a key changes its meaning or goes away.
+inline constexpr int results_version = 1;
+
+/// Everything a report says, apart from how it looks.
+struct Results {
+  const Run& run;
+  std::vector<SeriesError> errors;
+  std::vector<Verdict> verdicts;
+  Stages stages;  ///< those before the report itself
+
+  bool solved() const { return run.trajectory.outcome == Outcome::completed; }
+};
+
+/// Compares a run with its references.
+Results evaluate(const Run& run, const Stages& stages);
+
+/// The report in one sentence: how many criteria are met and the greatest distance to each reference.
+std::string headline(const Results& results);
+
+/// results.json: every number of the report, keys as in output/README.md.
+std::string to_json(const Results& results);
+
+/// junit.xml: a suite for the integration and one for each kind of verdict, a test case a criterion.
+std::string to_junit(const Results& results);
+
+/// summary.md, for a CI page; below 64 KiB.
+std::string to_summary(const Results& results);
+
+}  // namespace plumb

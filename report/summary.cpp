@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include "report/escape.h"
+#include "report/results.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t size_limit = 64 * 1024;
+
+}  // namespace
+
+std::string to_summary(const Results& results) {
+  const Run& run = results.run;
+  const Trajectory& t = run.trajectory;
+  std::string text = fmt::format("# {}\n\n{}\n\n", escape_markdown(run.loaded.spec.title),
+                                 escape_markdown(headline(results)));
+  text += "| verdict | kind | criterion | found |\n| --- | --- | --- | --- |\n";
+  std::size_t left_out = 0;
+  // Failures first: they are what the page is opened for.
+  for (const VerdictStatus status : {VerdictStatus::failed, VerdictStatus::not_run, VerdictStatus::passed})
+    for (const Verdict& verdict : results.verdicts) {
+      if (verdict.status != status) continue;
+      const std::string row = fmt::format(
+          "| {} | {} | {} | {} |\n",
+          status == VerdictStatus::passed ? "passed" : fmt::format("**{}**", word(status)),
+          word(verdict.kind), escape_markdown(verdict.criterion), escape_markdown(verdict.message));
+      if (text.size() + row.size() > size_limit - 4096)
+        ++left_out;
+      else
+        text += row;
+    }
+  if (left_out > 0) text += fmt::format("\n{} more criteria are in results.json.\n", left_out);
+  text += fmt::format(
+      "\n{} with {} elements to {:.4g} s: {} steps, {} force and {} tangent evaluations, {:.3g} s; "
+      "energy drift {:.2g} of the first kinetic energy.\n",
+      escape_markdown(run.loaded.spec.method.name), t.elements, t.end_time, t.counters.steps,
+      t.counters.force_evaluations, t.counters.tangent_evaluations, t.solve_seconds,
+      t.relative_energy_drift());
+  return text;
+}
+
+}  // namespace plumb

@@ -1,0 +1,71 @@
+#include "report/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumb {
+
+std::string_view word(VerdictKind kind) {
+  switch (kind) {
+    case VerdictKind::verification:
+      return "verification";
+    case VerdictKind::validation:
+      return "validation";
+    case VerdictKind::regression:
+      return "regression";
+    case VerdictKind::performance:
+      return "performance";
+  }
+  return "verification";
+}
+
+std::string_view word(VerdictStatus status) {
+  switch (status) {
+    case VerdictStatus::not_run:
+      return "not run";
+    case VerdictStatus::passed:
+      return "passed";
+    case VerdictStatus::failed:
+      return "failed";
+  }
+  return "not run";
+}
+
+std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors) {
+  std::vector<Verdict> result;
+  for (const SeriesError& error : errors) {
+    const ReferenceUse& use = run.loaded.spec.references[error.reference];
+    const Reference& reference = run.loaded.references[error.reference];
+    Verdict verdict;
+    verdict.kind =
+        reference.kind == ReferenceKind::published ? VerdictKind::validation : VerdictKind::verification;
+    verdict.name = use.name + ": " + error.column;
+    verdict.criterion = fmt::format("{} |{} − {}| ≤ {:.3g} {}", word(use.norm), error.column, error.series,
+                                    use.tolerance, error.unit);
+    verdict.limit = use.tolerance;
+    verdict.unit = error.unit;
+    verdict.reason = use.reason;
+    if (error.missed > 0 || error.times.empty()) {
+      verdict.message =
+          fmt::format("the run ended at {:.4g} s and reached {} of {} reference times",
+                      run.trajectory.end_time, error.times.size(), error.times.size() + error.missed);
+    } else {
+      verdict.value = use.norm == Norm::max ? error.max : error.rms;
+      // A distance that is not a number must not pass.
+      verdict.status = verdict.value <= verdict.limit ? VerdictStatus::passed : VerdictStatus::failed;
+      verdict.message = fmt::format(
+          "{:.3g} {} of {:.3g} {} allowed, over {} times; the greatest is at {:.4g} s", verdict.value,
+          error.unit, verdict.limit, error.unit, error.times.size(), error.max_time);
+    }
+    result.push_back(std::move(verdict));
+  }
+  return result;
+}
+
+bool all_passed(const std::vector<Verdict>& verdicts) {
+  return std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const Verdict& verdict) { return verdict.status == VerdictStatus::passed; });
+}
+
+}  // namespace plumb

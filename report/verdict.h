@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/series_error.h"
+
+namespace plumb {
+
+/// What kind of evidence a verdict is. They are never mixed.
+enum class VerdictKind {
+  verification,  ///< against an exact or converged solution
+  validation,    ///< against published figures, with their uncertainty stated
+  regression,    ///< against this project's own earlier output
+  performance,   ///< work against error
+};
+
+enum class VerdictStatus { not_run, passed, failed };
+
+/// One criterion of a case and what became of it.
+struct Verdict {
+  VerdictKind kind = VerdictKind::verification;
+  VerdictStatus status = VerdictStatus::not_run;
+  std::string name;       ///< unique in a report: "published: mid.y"
+  std::string criterion;  ///< "max |mid.y − mid_y| ≤ 1e-05 m"
+  double value = -1;      ///< what was found, in `unit`; -1: not run
+  double limit = 0;       ///< what is allowed, in `unit`
+  std::string unit;
+  std::string message;  ///< the outcome in words, with the numbers
+  std::string reason;   ///< why this limit; may be empty
+};
+
+std::string_view word(VerdictKind);
+std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed"
+
+/// A verdict for each comparison of the case: validation against published figures, verification against
+/// computed ones. Not run where the run did not reach every reference time.
+std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors);
+
+bool all_passed(const std::vector<Verdict>& verdicts);
+
+}  // namespace plumb
