@@ -23,17 +23,19 @@ std::string headline(const Results& results) {
   std::string text = count == 0     ? "The case names no criterion, so nothing is claimed"
                      : met == count ? fmt::format("All {} criteria are met", count)
                                     : fmt::format("{} of {} criteria are not met", count - met, count);
-  const Case& spec = results.run.loaded.spec;
-  for (std::size_t r = 0; r < spec.references.size(); ++r) {
+  const Run& run = results.run;
+  std::string distances;
+  for (std::size_t r = 0; r < run.loaded.references.size(); ++r) {
     const SeriesError* worst = nullptr;
     for (const SeriesError& error : results.errors)
       if (error.reference == r && !error.times.empty() && (!worst || error.max > worst->max)) worst = &error;
     if (!worst) continue;
-    text += fmt::format(
-        "; the {}-element run is within {:.2g} {} of the {} figures", spec.cable.elements, worst->max,
-        worst->unit,
-        results.run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed");
+    distances += fmt::format(
+        "{} {:.2g} {} from the {} figures", distances.empty() ? "" : " and", worst->max, worst->unit,
+        run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed");
   }
+  if (!distances.empty())
+    text += fmt::format(": the {}-element run is at most{}", run.loaded.spec.cable.elements, distances);
   return text + ".";
 }
 

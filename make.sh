@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Builds Plumb on Debian 12 and does what is asked; installs the packages that are missing (packages.txt).
+#   ./make.sh report   runs the pendulum and ends with where its report is
+#   ./make.sh test     runs the whole test suite
+#   ./make.sh build    builds only
+set -euo pipefail
+cd "$(dirname "$0")"
+
+preset=${PLUMB_PRESET:-release}
+
+install_missing_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "make.sh: this is no Debian system; the packages of packages.txt are taken to be there" >&2
+    return
+  fi
+  local missing=() package
+  while read -r package; do
+    if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+      missing+=("$package")
+    fi
+  done < <(sed 's/#.*//' packages.txt | awk 'NF { print $1 }')
+  if [ ${#missing[@]} -eq 0 ]; then return; fi
+
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "make.sh: these packages are missing, and there is neither root nor sudo to install them: ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  echo "make.sh: installing ${missing[*]}"
+  mkdir -p build
+  local log=build/packages.log
+  if ! {
+    ${as_root[@]+"${as_root[@]}"} apt-get update &&
+      ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+  } >"$log" 2>&1; then
+    tail -n 20 "$log" >&2
+    echo "make.sh: the packages could not be installed; all of apt-get's output is in $log" >&2
+    exit 1
+  fi
+}
+
+build() {
+  install_missing_packages
+  cmake --preset "$preset"
+  cmake --build --preset "$preset"
+}
+
+case ${1:-} in
+  report)
+    build
+    "build/$preset/plumb" run cases/pendulum.toml
+    ;;
+  test)
+    build
+    ctest --preset "$preset" -j "$(nproc)"
+    ;;
+  build)
+    build
+    ;;
+  *)
+    sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p }' "$0" >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/output/run_file.h"
+#include "report/base64.h"
+#include "report/escape.h"
+#include "report/page.h"
+#include "report/results.h"
+#include "tests/report/program.h"
+
+namespace plumb {
+namespace {
+
+/// A run of three outputs made by hand: a vertical cable whose tip falls as −t², beside figures that know it.
+Run run_with(const std::string& title, const std::string& extra = "") {
+  CaseSource source;
+  source.file = {"made/by<hand>.toml", R"(title = ")" + title + R"("
+[cable]
+length = 2
+area = 1e-6
+density = 1000
+youngs_modulus = 1e6
+elements = 1
+[method]
+name = "rk4"
+step = 0.1
+[time]
+end = 1.0
+output_interval = 0.5
+[[probe]]
+name = "tip"
+at = 1.0
+quantity = "position"
+[[reference]]
+name = "known"
+file = "known.toml"
+compare = { y = "tip.y" }
+tolerance = 0.125
+)" + extra};
+  source.references = {{"known.toml", R"(title = "known <b>"
+kind = "published"
+source = "a & b"
+obtained = "by hand"
+time_unit = "s"
+columns = ["t", "y"]
+rows = [[0.0, 0.0], [0.5, -0.25], [1.0, -0.9]]
+[[series]]
+name = "y"
+description = "height"
+figure = "Fig. 1"
+unit = "m"
+uncertainty = 0.01
+uncertainty_basis = "guess"
+)"}};
+  Run run;
+  run.loaded = load_case(source);
+  run.trajectory.outcome = Outcome::completed;
+  run.trajectory.elements = 1;
+  run.trajectory.element_length = 2;
+  run.trajectory.end_time = 1;
+  for (const double t : {0.0, 0.5, 1.0}) {
+    Eigen::VectorXd q(12), v = Eigen::VectorXd::Zero(12);
+    q << 0, 0, 0, 1, 0, 0, 2, -t * t, 0, 1, 0, 0;
+    v[7] = -2 * t;
+    run.trajectory.times.push_back(t);
+    run.trajectory.q.push_back(q);
+    run.trajectory.v.push_back(v);
+    run.trajectory.energies.push_back({1, 0.1 * t, 0, 0});
+  }
+  run.probes = probe(run.loaded.spec, run.trajectory);
+  return run;
+}
+
+TEST(SeriesError, IsTheDistanceAtTheReferenceTimes) {
+  const plumb::Run run = run_with("a");
+  const std::vector<SeriesError> errors = series_errors(run);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NEAR(errors[0].max, 0.1, 1e-15);
+  EXPECT_EQ(errors[0].max_time, 1);
+  EXPECT_NEAR(errors[0].rms, 0.1 / std::sqrt(3), 1e-15);
+  EXPECT_NEAR(errors[0].difference[2], -0.1, 1e-15) << "the difference is run minus reference";
+  EXPECT_EQ(errors[0].interpolated, 0u);
+  EXPECT_EQ(errors[0].missed, 0u);
+}
+
+TEST(SeriesError, InterpolatesBetweenOutputsAndCountsIt) {
+  plumb::Run run = run_with("a");
+  run.loaded.references[0].times[1] = 0.75;
+  run.loaded.references[0].series[0].values[1] = -0.75 * 0.75;
+  const std::vector<SeriesError> errors = series_errors(run);
+  EXPECT_EQ(errors[0].interpolated, 1u);
+  EXPECT_NEAR(errors[0].difference[1], 0, 1e-15);
+}
+
+TEST(Verdict, PassesAtItsLimitAndFailsBeyondIt) {
+  plumb::Run run = run_with("a");
+  const std::vector<SeriesError> errors = series_errors(run);
+  run.loaded.spec.references[0].tolerance = errors[0].max;
+  EXPECT_EQ(verdicts(run, errors)[0].status, VerdictStatus::passed);
+  run.loaded.spec.references[0].tolerance = errors[0].max * (1 - 1e-12);
+  EXPECT_EQ(verdicts(run, errors)[0].status, VerdictStatus::failed);
+}
+
+TEST(Verdict, ThatCouldNotBeReachedIsNotRunAndDoesNotPass) {
+  plumb::Run run = run_with("a");
+  run.trajectory.times.pop_back();
+  run.trajectory.outcome = Outcome::diverged;
+  run.trajectory.end_time = 0.6;
+  const std::vector<SeriesError> errors = series_errors(run);
+  const std::vector<Verdict> found = verdicts(run, errors);
+  EXPECT_EQ(errors[0].missed, 1u);
+  EXPECT_EQ(found[0].status, VerdictStatus::not_run);
+  EXPECT_EQ(found[0].value, -1);
+  EXPECT_FALSE(all_passed(found));
+}
+
+TEST(Verdict, DistanceThatIsNotANumberFails) {
+  const plumb::Run run = run_with("a");
+  std::vector<SeriesError> errors = series_errors(run);
+  errors[0].max = std::nan("");
+  EXPECT_EQ(verdicts(run, errors)[0].status, VerdictStatus::failed);
+}
+
+TEST(Verdict, OnlyPublishedFiguresValidate) {
+  plumb::Run run = run_with("a");
+  EXPECT_EQ(verdicts(run, series_errors(run))[0].kind, VerdictKind::validation);
+  run.loaded.references[0].kind = ReferenceKind::computed;
+  EXPECT_EQ(verdicts(run, series_errors(run))[0].kind, VerdictKind::verification);
+}
+
+TEST(Page, EscapesWhatTheCaseSays) {
+  const plumb::Run run = run_with(R"(<script>alert('x')</script> & \"quotes\")");
+  const std::string page = to_page(evaluate(run, {}), {});
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp; &quot;quotes&quot;"),
+            std::string::npos);
+  EXPECT_NE(page.find("known &lt;b&gt;"), std::string::npos);
+  EXPECT_EQ(page.find("known <b>"), std::string::npos);
+  EXPECT_EQ(page.find("by<hand>"), std::string::npos);
+}
+
+TEST(Page, AsksNothingOfAnywhere) {
+  const std::string page = to_page(evaluate(run_with("a"), {}), {});
+  for (const char* word : {"http://", "https://", "src=\"/", "@import", "url("})
+    EXPECT_EQ(page.find(word), std::string::npos) << word;
+  EXPECT_NE(page.find("Content-Security-Policy"), std::string::npos);
+}
+
+TEST(Page, LeavesNoTemplateTagBehind) {
+  const std::string page = to_page(evaluate(run_with("a"), {}), {});
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_EQ(page.find("}}"), std::string::npos);
+}
+
+TEST(Results, JsonHoldsEveryNumberOfTheVerdict) {
+  const nlohmann::json json = nlohmann::json::parse(to_json(evaluate(run_with("a"), {})));
+  EXPECT_EQ(json["schema_version"], results_version);
+  EXPECT_NEAR(json["verdicts"][0]["value"].get<double>(), 0.1, 1e-15);
+  EXPECT_EQ(json["verdicts"][0]["limit"], 0.125);
+  EXPECT_EQ(json["errors"][0]["reference_uncertainty"], 0.01);
+  EXPECT_NEAR(json["errors"][0]["max_relative_to_length"].get<double>(), 0.05, 1e-15);
+  EXPECT_NEAR(json["energy"]["drift"].get<double>(), 0.1, 1e-15);
+  EXPECT_EQ(json["solve"]["steps"], -1) << "what was not counted is not 0";
+}
+
+TEST(Results, JunitEscapesAndCounts) {
+  plumb::Run run = run_with("a <&> \\\"b\\\"");
+  run.loaded.spec.references[0].tolerance = 0.05;
+  const std::string xml = to_junit(evaluate(run, {}));
+  EXPECT_NE(
+      xml.find(
+          "<testsuites name=\"a &lt;&amp;&gt; &quot;b&quot;\" tests=\"2\" failures=\"1\" skipped=\"0\">"),
+      std::string::npos)
+      << xml;
+  EXPECT_NE(xml.find("<testsuite name=\"validation\" tests=\"1\" failures=\"1\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("0.1 m of 0.05 m allowed"), std::string::npos) << xml;
+}
+
+TEST(Results, SummaryStaysBelowItsSizeWhateverTheCase) {
+  const plumb::Run run = run_with("a");
+  Results results = evaluate(run, {});
+  results.verdicts.resize(5000, results.verdicts.front());
+  const std::string text = to_summary(results);
+  EXPECT_LT(text.size(), 64u * 1024);
+  EXPECT_NE(text.find("more criteria are in results.json"), std::string::npos);
+}
+
+TEST(Escape, XmlHasNoForbiddenCharacterLeft) {
+  EXPECT_EQ(escape_xml("a<b>&\"c'\n\x01"), "a&lt;b&gt;&amp;&quot;c&#39;\n\uFFFD");
+}
+
+TEST(Escape, MarkdownCellStaysOneCell) {
+  EXPECT_EQ(escape_markdown("a|b\nc<d>"), "a\\|b c&lt;d\\>");
+}
+
+TEST(Base64, FollowsTheStandardsExamples) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xFF\xFE\x00", 3)), "//4A");
+}
+
+TEST(RunFile, KeepsEveryNumberOfARun) {
+  const TemporaryFolder folder;
+  plumb::Run run = run_with("a");
+  run.provenance = {{"program", "test"}};
+  run.trajectory.counters.steps = 17;
+  run.trajectory.solve_seconds = 0.25;
+  write_text(folder / "run.h5", encode_run(run));
+  const plumb::Run back = read_run((folder / "run.h5").string());
+  EXPECT_EQ(back.trajectory.times, run.trajectory.times);
+  EXPECT_EQ(back.trajectory.q, run.trajectory.q);
+  EXPECT_EQ(back.trajectory.v, run.trajectory.v);
+  EXPECT_EQ(back.trajectory.counters.steps, 17);
+  EXPECT_EQ(back.trajectory.counters.newton_iterations, -1);
+  EXPECT_EQ(back.trajectory.solve_seconds, 0.25);
+  EXPECT_EQ(back.trajectory.outcome, Outcome::completed);
+  EXPECT_EQ(back.provenance, run.provenance);
+  EXPECT_EQ(back.loaded.spec, run.loaded.spec);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(back.trajectory.energies[k].axial, run.trajectory.energies[k].axial);
+  EXPECT_EQ(to_csv(back.probes), to_csv(run.probes));
+}
+
+}  // namespace
+}  // namespace plumb
