@@ -31,6 +31,16 @@ TEST(Dash, PatternRunsOnAroundCorners) {
   EXPECT_NEAR(drawn(corners, Dash::dashed, 2), 80, 1e-6);
 }
 
+TEST(Dash, LinesOfAnyLengthAndWidthAreDrawnInFinitelyManyPieces) {
+  for (const double width : {0.0, 0.1, 1.0 / 3, 4.68})
+    for (const double step : {0.1, 1.0 / 3, 7 * 4.68, 1e5}) {
+      std::vector<Point> points;
+      for (int i = 0; i < 50; ++i) points.emplace_back(i * step, 0);
+      EXPECT_LE(drawn(points, Dash::dotted, width), 49 * step * (1 + 1e-12)) << width << " " << step;
+      EXPECT_GT(drawn(points, Dash::dashed, width), 0) << width << " " << step;
+    }
+}
+
 TEST(Dash, NotANumberBreaksTheLineAndALonePointIsADot) {
   const std::vector<Point> points = {{0, 0}, {10, 0}, {nan, 0}, {50, 0}, {60, nan}, {70, 0}, {75, 0}};
   const auto pieces = dash_segments(points, Dash::solid, 2);
