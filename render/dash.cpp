@@ -24,17 +24,19 @@ std::vector<std::pair<Point, Point>> dash_segments(std::span<const Point> points
     if (ends) continue;
     const Point& a = points[i];
     const Point& b = points[i + 1];
-    if (dash == Dash::solid) {
+    if (dash == Dash::solid || !(width > 0)) {
       pieces.emplace_back(a, b);
       continue;
     }
     const double length = (b - a).norm();
     for (double at = 0; at < length;) {
-      const double next = std::min(length, at + left);
+      // Decided by what is added rather than by what is left, which rounding may keep above 0 for ever.
+      const bool turns = at + left <= length;
+      const double next = turns ? at + left : length;
       if (phase == 0) pieces.emplace_back(a + (b - a) * (at / length), a + (b - a) * (next / length));
       left -= next - at;
       at = next;
-      if (left <= 0) {
+      if (turns) {
         phase = 1 - phase;
         left = pattern[phase];
       }

@@ -10,7 +10,6 @@ namespace plumb {
   X(PFNGLATTACHSHADERPROC, AttachShader)                       \
   X(PFNGLBINDBUFFERPROC, BindBuffer)                           \
   X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                 \
-  X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)               \
   X(PFNGLBINDTEXTUREPROC, BindTexture)                         \
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                 \
   X(PFNGLBLENDEQUATIONPROC, BlendEquation)                     \
@@ -26,7 +25,6 @@ namespace plumb {
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                     \
   X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)           \
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                     \
-  X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)         \
   X(PFNGLDELETESHADERPROC, DeleteShader)                       \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures)                   \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)           \
@@ -37,11 +35,9 @@ namespace plumb {
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                       \
   X(PFNGLENABLEPROC, Enable)                                   \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray) \
-  X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer) \
   X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
   X(PFNGLGENBUFFERSPROC, GenBuffers)                           \
   X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                 \
-  X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)               \
   X(PFNGLGENTEXTURESPROC, GenTextures)                         \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                 \
   X(PFNGLGETERRORPROC, GetError)                               \
@@ -55,7 +51,6 @@ namespace plumb {
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                         \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                         \
   X(PFNGLREADPIXELSPROC, ReadPixels)                           \
-  X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)         \
   X(PFNGLSCISSORPROC, Scissor)                                 \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                       \
   X(PFNGLTEXIMAGE2DPROC, TexImage2D)                           \

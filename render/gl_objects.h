@@ -73,7 +73,7 @@ class VertexBuffer {
 
   /// Replaces the content and binds the vertex array.
   void upload(std::span<const float> data);
-  /// Replaces the triangle list that draw_triangles() uses.
+  /// Replaces the triangle list for DrawElements.
   void upload_indices(std::span<const unsigned> indices);
   void bind() const;
 

@@ -18,6 +18,8 @@ inline constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 /// The chunks of a PNG file, from IHDR to IEND, as views into `bytes`. Throws InputError that names `name`
 /// when the file is not a PNG, ends early, or a check sum is wrong.
 std::vector<PngChunk> png_chunks(std::string_view bytes, const std::string& name);
+/// Not of a temporary, which the views would outlive.
+std::vector<PngChunk> png_chunks(std::string&& bytes, const std::string& name) = delete;
 
 /// Appends a chunk with its length and check sum.
 void append_chunk(std::string& out, std::string_view type, std::string_view data);

@@ -9,6 +9,7 @@
 
 #include "engine/errors.h"
 #include "render/axis_ticks.h"
+#include "render/ground.h"
 #include "render/painter.h"
 #include "render/shaders.h"
 #include "render/stage.h"
@@ -25,7 +26,6 @@ constexpr Color trail_color = Color::hex(0xD55E00);
 constexpr Color ink = Color::hex(0x2B3038);
 constexpr Color quiet_ink = Color::hex(0x5A626E);
 
-constexpr int shadow_size = 512;        // texels a side
 constexpr double trail_frames = 32;     // how many frames ago the trail has faded out
 constexpr int trail_pieces = 8;         // of the trail, a frame
 constexpr double thinnest = 1.0 / 150;  // radius as drawn, in cable lengths
@@ -33,7 +33,6 @@ constexpr double support_reach = 5;     // of a support around the cable's end, 
 constexpr double end_tolerance = 1e-6;  // of a frame: the last output may be short of it by rounding
 
 constexpr std::array<int, 2> mesh_components = {3, 3};
-constexpr std::array<int, 2> shadow_components = {4, 3};
 constexpr std::array<int, 2> trail_components = {4, 1};
 
 double drawn_radius(const SceneInput& input) {
@@ -71,22 +70,16 @@ class SceneRenderer::Drawing {
         camera_(stage_.camera, canvas_.width(), canvas_.height(), stage_.center, stage_.radius),
         painter_(context),
         background_(context, fullscreen_vert, background_frag),
-        ground_(context, ground_vert, ground_frag),
-        ground_shadow_(context, ground_vert, ground_shadow_frag),
+        ground_(context, stage_, camera_, radius_, input.length, input.spec.supersampling),
         copy_(context, fullscreen_vert, copy_frag),
-        shadow_(context, shadow_vert, shadow_frag),
         tube_(context, tube_vert, tube_frag),
         trail_(context, trail_vert, trail_frag),
         mesh_(context, mesh_components),
         support_mesh_(context, mesh_components),
-        shadow_pieces_(context, shadow_components, VertexBuffer::Step::instance),
         trail_ribbon_(context, trail_components),
         no_attributes_(context),
-        backdrop_(context),
-        shadow_map_(context),
-        shadow_framebuffer_(context) {
+        backdrop_(context) {
     choose_detail();
-    make_shadow_map();
     make_trail();
     set_constants();
     make_backdrop();
@@ -101,7 +94,7 @@ class SceneRenderer::Drawing {
     const Eigen::VectorXd state = motion_.state(time);
     const std::vector<CurvePoint> curve = motion_.curve(state, pieces_per_element_);
     const std::vector<Vec3> trail = trail_places(time);
-    draw_shadow_map(curve);
+    ground_.cast_shadow(curve);
     draw_backdrop();
     canvas_.begin_geometry(region(curve, trail));
     draw_cable(curve);
@@ -128,19 +121,6 @@ class SceneRenderer::Drawing {
     pieces_per_element_ = std::max(4, static_cast<int>(std::ceil(pieces / motion_.elements())));
   }
 
-  void make_shadow_map() {
-    const Gl& gl = context_.gl();
-    gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, shadow_size, shadow_size, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.id());
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shadow_map_.id(), 0);
-    shadow_reach_ = 1.15 * std::max(stage_.reach, 0.05 * input_.length) + 10 * radius_;
-  }
-
   // The tip's way through the whole run, so that a frame only takes its stretch of it.
   void make_trail() {
     trail_interval_ = 1 / (input_.spec.frame_rate * trail_pieces);
@@ -156,21 +136,6 @@ class SceneRenderer::Drawing {
     };
     background_.use();
     background_.set("height", static_cast<float>(canvas_.height() * canvas_.supersampling()));
-    for (const GlProgram* program : {&ground_, &ground_shadow_}) {
-      program->use();
-      program->set_matrix("view", matrix.data());
-      set3(*program, "origin", stage_.origin);
-      set3(*program, "across", stage_.across);
-      set3(*program, "forward", stage_.forward);
-      program->set("middle", static_cast<float>(stage_.middle.x()), static_cast<float>(stage_.middle.y()));
-      program->set("radius", static_cast<float>(program == &ground_ ? stage_.ground_radius : shadow_reach_));
-    }
-    ground_.use();
-    ground_.set("grid", static_cast<float>(stage_.grid));
-    ground_.set("line_width", static_cast<float>(canvas_.supersampling()));
-    shadow_.use();
-    shadow_.set("middle", static_cast<float>(stage_.middle.x()), static_cast<float>(stage_.middle.y()));
-    shadow_.set("reach", static_cast<float>(shadow_reach_));
     tube_.use();
     tube_.set_matrix("view", matrix.data());
     set3(tube_, "eye", camera_.eye());
@@ -178,34 +143,6 @@ class SceneRenderer::Drawing {
     set3(tube_, "light", (1.1 * stage_.up - 0.55 * camera_.right() + 0.7 * camera_.back()).normalized());
     trail_.use();
     trail_.set("ink", trail_color);
-  }
-
-  void draw_shadow_map(const std::vector<CurvePoint>& curve) {
-    const Gl& gl = context_.gl();
-    std::vector<float> pieces;
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-      const Eigen::Vector2d a = stage_.ground_coordinates(curve[i].position);
-      const Eigen::Vector2d b = stage_.ground_coordinates(curve[i + 1].position);
-      const double height =
-          std::max(0.0, (stage_.height(curve[i].position) + stage_.height(curve[i + 1].position)) / 2);
-      // A wide light: the higher the cable, the softer and fainter.
-      const double blur = radius_ + 0.035 * height;
-      const double texel = 2 * shadow_reach_ / shadow_size;
-      for (const double value : {a.x(), a.y(), b.x(), b.y(), std::max(radius_, texel), std::max(blur, texel),
-                                 0.15 + 0.85 * std::sqrt(radius_ / blur)})
-        pieces.push_back(static_cast<float>(value));
-    }
-    gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.id());
-    gl.Viewport(0, 0, shadow_size, shadow_size);
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.Disable(GL_DEPTH_TEST);
-    gl.Enable(GL_BLEND);
-    gl.BlendEquation(GL_MAX);
-    gl.ClearColor(0, 0, 0, 0);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-    shadow_.use();
-    shadow_pieces_.upload(pieces);
-    gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, shadow_pieces_.count());
   }
 
   // What no frame changes: background and grid.
@@ -217,8 +154,7 @@ class SceneRenderer::Drawing {
     gl.BindVertexArray(no_attributes_.id());
     background_.use();
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    ground_.use();
-    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    ground_.draw_grid();
     canvas_.resolve();
     canvas_.copy_to(backdrop_);
   }
@@ -231,9 +167,7 @@ class SceneRenderer::Drawing {
     gl.BindTexture(GL_TEXTURE_2D, backdrop_.id());
     copy_.use();
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
-    ground_shadow_.use();
-    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    ground_.draw_shadow();
   }
 
   // Where cable, supports and trail are in the picture; all of it when some of them is behind the camera.
@@ -351,23 +285,17 @@ class SceneRenderer::Drawing {
   Camera camera_;
   Painter painter_;
   GlProgram background_;
-  GlProgram ground_;
-  GlProgram ground_shadow_;
+  Ground ground_;
   GlProgram copy_;
-  GlProgram shadow_;
   GlProgram tube_;
   GlProgram trail_;
   VertexBuffer mesh_;
   VertexBuffer support_mesh_;
-  VertexBuffer shadow_pieces_;
   VertexBuffer trail_ribbon_;
   GlVertexArray no_attributes_;
   GlTexture backdrop_;
-  GlTexture shadow_map_;
-  GlFramebuffer shadow_framebuffer_;
   int sides_ = 0;
   int pieces_per_element_ = 0;
-  double shadow_reach_ = 0;    // half the side of the square that the shadow map covers, m
   double trail_interval_ = 0;  // s
   std::vector<Vec3> tip_path_;
 };

@@ -29,7 +29,7 @@ std::u32string decode_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
     const int n = followers(lead);
-    char32_t point = n == 0 ? lead : lead & (0x3FU >> n);
+    char32_t point = n > 0 ? lead & (0x3FU >> n) : lead;
     bool valid = n >= 0 && i + static_cast<std::size_t>(n) < text.size();
     for (int k = 1; valid && k <= n; ++k) {
       const auto byte = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);

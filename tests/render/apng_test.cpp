@@ -74,7 +74,8 @@ TEST(Apng, SequenceNumbersCountFromZeroWithoutGaps) {
 TEST(Apng, EveryFrameHasTheSizeAndTheDelayOfTheRate) {
   for (const auto& [rate, numerator, denominator] :
        {std::tuple(25.0, 1, 25), std::tuple(12.5, 80, 1000), std::tuple(0.5, 2000, 1000)}) {
-    for (const PngChunk& chunk : png_chunks(join_apng(frames(3), rate), "animation")) {
+    const std::string apng = join_apng(frames(3), rate);
+    for (const PngChunk& chunk : png_chunks(apng, "animation")) {
       if (chunk.type != "fcTL") continue;
       ASSERT_EQ(chunk.data.size(), 26U);
       EXPECT_EQ(read_u32(chunk.data.substr(4)), 20U);

@@ -65,7 +65,8 @@ TEST(Png, AnyChangedByteIsRefusedOrHarmless) {
 
 TEST(Png, BadPixelDataWithGoodCheckSumsAreRefused) {
   std::string bytes(png_signature);
-  for (const PngChunk& chunk : png_chunks(encode_png(pattern(30, 20)), "a.png"))
+  const std::string good = encode_png(pattern(30, 20));
+  for (const PngChunk& chunk : png_chunks(good, "a.png"))
     append_chunk(bytes, chunk.type, chunk.type == "IDAT" ? "no zlib stream" : chunk.data);
   EXPECT_THROW(decode_png(bytes, "bad.png"), InputError);
 }

@@ -1,0 +1,108 @@
+#include "render/ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/shaders.h"
+
+namespace plumb {
+
+namespace {
+
+constexpr int shadow_size = 512;  // texels a side
+constexpr std::array<int, 2> piece_components = {4, 3};
+
+void set3(const GlProgram& program, const char* name, const Vec3& v) {
+  program.set(name, static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()));
+}
+
+}  // namespace
+
+Ground::Ground(const GlContext& context, const Stage& stage, const Camera& camera, double cable_radius,
+               double length, double line_width)
+    : context_(context.make_current()),
+      stage_(stage),
+      cable_radius_(cable_radius),
+      shadow_reach_(1.15 * std::max(stage.reach, 0.05 * length) + 10 * cable_radius),
+      grid_(context, ground_vert, ground_frag),
+      shadow_(context, ground_vert, ground_shadow_frag),
+      shadow_map_piece_(context, shadow_vert, shadow_frag),
+      pieces_(context, piece_components, VertexBuffer::Step::instance),
+      no_attributes_(context),
+      shadow_map_(context),
+      shadow_framebuffer_(context) {
+  const Eigen::Matrix4f matrix = camera.matrix().cast<float>();
+  const Eigen::Vector2f middle = stage.middle.cast<float>();
+  for (const GlProgram* program : {&grid_, &shadow_}) {
+    program->use();
+    program->set_matrix("view", matrix.data());
+    set3(*program, "origin", stage.origin);
+    set3(*program, "across", stage.across);
+    set3(*program, "forward", stage.forward);
+    program->set("middle", middle.x(), middle.y());
+    program->set("radius", static_cast<float>(program == &grid_ ? stage.ground_radius : shadow_reach_));
+  }
+  grid_.use();
+  grid_.set("grid", static_cast<float>(stage.grid));
+  grid_.set("line_width", static_cast<float>(line_width));
+  shadow_map_piece_.use();
+  shadow_map_piece_.set("middle", middle.x(), middle.y());
+  shadow_map_piece_.set("reach", static_cast<float>(shadow_reach_));
+
+  const Gl& gl = context.gl();
+  gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, shadow_size, shadow_size, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.id());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shadow_map_.id(), 0);
+}
+
+void Ground::draw_grid() const {
+  context_.gl().BindVertexArray(no_attributes_.id());
+  grid_.use();
+  context_.gl().DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void Ground::cast_shadow(std::span<const CurvePoint> curve) {
+  const Gl& gl = context_.gl();
+  const double texel = 2 * shadow_reach_ / shadow_size;
+  std::vector<float> pieces;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const Eigen::Vector2d a = stage_.ground_coordinates(curve[i].position);
+    const Eigen::Vector2d b = stage_.ground_coordinates(curve[i + 1].position);
+    const double height =
+        std::max(0.0, (stage_.height(curve[i].position) + stage_.height(curve[i + 1].position)) / 2);
+    // A wide light: the higher the cable, the softer and fainter.
+    const double blur = cable_radius_ + 0.035 * height;
+    const double strength = 0.15 + 0.85 * std::sqrt(cable_radius_ / blur);
+    for (const double value :
+         {a.x(), a.y(), b.x(), b.y(), std::max(cable_radius_, texel), std::max(blur, texel), strength})
+      pieces.push_back(static_cast<float>(value));
+  }
+  gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.id());
+  gl.Viewport(0, 0, shadow_size, shadow_size);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_MAX);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  shadow_map_piece_.use();
+  pieces_.upload(pieces);
+  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, pieces_.count());
+}
+
+void Ground::draw_shadow() const {
+  const Gl& gl = context_.gl();
+  gl.BindVertexArray(no_attributes_.id());
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
+  shadow_.use();
+  gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace plumb
