@@ -46,7 +46,10 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     verdict.limit = use.tolerance;
     verdict.unit = error.unit;
     verdict.reason = use.reason;
-    if (error.missed > 0 || error.times.empty()) {
+    if (error.missed == 0 && error.times.empty()) {
+      verdict.message = fmt::format("no time of the reference is within the run, which ends at {:.4g} s",
+                                    run.loaded.spec.time.end);
+    } else if (error.missed > 0) {
       verdict.message =
           fmt::format("the run ended at {:.4g} s and reached {} of {} reference times",
                       run.trajectory.end_time, error.times.size(), error.times.size() + error.missed);

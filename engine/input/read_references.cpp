@@ -93,9 +93,6 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     check_series(compare, use, reference, probes);
 
     const auto beyond = std::upper_bound(reference.times.begin(), reference.times.end(), time.end);
-    if (beyond == reference.times.begin()) {
-      table.refuse_value("file", fmt::format("has no time within the run, which ends at {} s", time.end));
-    }
     if (beyond != reference.times.end()) {
       read.remarks.push_back(
           fmt::format("{} of the {} times of {} are beyond the end of the run, {} s, and not used",

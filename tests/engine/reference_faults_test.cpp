@@ -138,14 +138,6 @@ TEST(ReferenceFaults, AReferenceWithABadTableIsRefusedWithItsPlaceAndWhatIsAllow
   });
 }
 
-TEST(ReferenceFaults, AReferenceBeyondTheRunIsRefusedWithItsPlaceAndWhatIsAllowed) {
-  expect_refused({
-      {"[0.0, 0.0, 1],\n  [0.5, -0.1, 2.5],\n  [1.0, -0.2, 3.5]", "[2.1, 0.0, 1]",
-       "case.toml:41:8: reference.0.file = \"small_reference.toml\": has no time within the run, which ends "
-       "at 2 s"},
-  });
-}
-
 TEST(ReferenceFaults, AReferenceInAnotherUnitIsRefusedWithItsPlaceAndWhatIsAllowed) {
   expect_refused({
       {"unit = \"m\"", "unit = \"mm\"",

@@ -44,7 +44,7 @@ TEST(ProgramFaults, EachEndsWithOneLineAndItsStatus) {
       {{"run", good, "-o", "plain"}, 5, "plain: cannot be written"},
       {{"run", good, "-o", "plain/below"}, 5, "cannot be written"},
       {{"run", good, "-o", "/proc/plumb"}, 5, "/proc/plumb: cannot be written"},
-      {{"solve", good, "--csv", "/nowhere/out.csv", "--set", "time.end=0.02"},
+      {{"solve", good, "--quiet", "--csv", "/nowhere/out.csv", "--set", "time.end=0.02"},
        5,
        "/nowhere/out.csv: cannot be written"},
   };

@@ -8,7 +8,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// A pendulum so short that everything about it is quick.
-const std::vector<std::string> quick{"--set", "time.end=0.08", "--set", "scene.size=[160,90]"};
+const std::vector<std::string> quick{"--set", "time.end=0.1", "--set", "scene.size=[160,90]"};
 
 std::vector<std::string> with_quick(std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), quick.begin(), quick.end());
@@ -138,7 +138,7 @@ TEST(Program, DoctorNamesRendererAndEveryMethod) {
 TEST(Program, QuietSaysNothing) {
   const TemporaryFolder folder;
   const Ended ended =
-      plumb_in(folder.path(), {"solve", case_path("pendulum.toml"), "--quiet", "--set", "time.end=0.02"});
+      plumb_in(folder.path(), {"solve", case_path("pendulum.toml"), "--quiet", "--set", "time.end=0.1"});
   EXPECT_EQ(ended.status, 0);
   EXPECT_EQ(ended.out + ended.err, "");
 }

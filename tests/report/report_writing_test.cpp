@@ -116,6 +116,14 @@ TEST(Verdict, ThatCouldNotBeReachedIsNotRunAndDoesNotPass) {
   EXPECT_FALSE(all_passed(found));
 }
 
+TEST(Verdict, ReferenceBeyondTheRunIsNotRun) {
+  plumb::Run run = run_with("a");
+  run.loaded.references[0].times = {7, 8, 9};
+  const std::vector<Verdict> found = verdicts(run, series_errors(run));
+  EXPECT_EQ(found[0].status, VerdictStatus::not_run);
+  EXPECT_EQ(found[0].message, "no time of the reference is within the run, which ends at 1 s");
+}
+
 TEST(Verdict, DistanceThatIsNotANumberFails) {
   const plumb::Run run = run_with("a");
   std::vector<SeriesError> errors = series_errors(run);
