@@ -53,7 +53,7 @@ data verdict_rows(const Results& results) {
     row["share"] = verdict->status == VerdictStatus::not_run
                        ? "–"
                        : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
-    row["message"] = verdict->message;
+    row["detail"] = verdict->detail;
     rows.push_back(row);
   }
   return rows;
@@ -212,6 +212,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
     data row;
     row["title"] = picture.title;
     row["alt"] = picture.alt;
+    row["tall"] = picture.tall;
     row["file"] = picture.file;
     row["uri"] = data_uri(picture.png);
     figures.push_back(row);

@@ -61,7 +61,7 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFold
   for (const Figure& figure : figures(run, errors)) {
     stop_if_interrupted();
     Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                    encode_png(plots.draw(figure.plot), texts)};
+                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
     write_file(folder.file(picture.file), picture.png);
     result.figures.push_back(std::move(picture));
   }

@@ -15,6 +15,7 @@ struct Picture {
   std::string file;  ///< "figures/mid_height.png"
   std::string title;
   std::string alt;
+  bool tall = false;  ///< higher than wide
   std::string png;
 };
 

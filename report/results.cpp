@@ -31,8 +31,9 @@ std::string headline(const Results& results) {
       if (error.reference == r && !error.times.empty() && (!worst || error.max > worst->max)) worst = &error;
     if (!worst) continue;
     distances += fmt::format(
-        "{} {:.2g} {} from the {} figures", distances.empty() ? "" : " and", worst->max, worst->unit,
-        run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed");
+        "{} {:.2g} {} from the {} figures at {} times", distances.empty() ? "" : " and", worst->max,
+        worst->unit, run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed",
+        worst->times.size());
   }
   if (!distances.empty())
     text += fmt::format(": the {}-element run is at most{}", run.loaded.spec.cable.elements, distances);

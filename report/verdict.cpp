@@ -47,20 +47,23 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     verdict.unit = error.unit;
     verdict.reason = use.reason;
     if (error.missed == 0 && error.times.empty()) {
-      verdict.message = fmt::format("no time of the reference is within the run, which ends at {:.4g} s",
-                                    run.loaded.spec.time.end);
+      verdict.detail = fmt::format("no time of the reference is within the run, which ends at {:.4g} s",
+                                   run.loaded.spec.time.end);
     } else if (error.missed > 0) {
-      verdict.message =
+      verdict.detail =
           fmt::format("the run ended at {:.4g} s and reached {} of {} reference times",
                       run.trajectory.end_time, error.times.size(), error.times.size() + error.missed);
     } else {
       verdict.value = use.norm == Norm::max ? error.max : error.rms;
       // A distance that is not a number must not pass.
       verdict.status = verdict.value <= verdict.limit ? VerdictStatus::passed : VerdictStatus::failed;
-      verdict.message = fmt::format(
-          "{:.3g} {} of {:.3g} {} allowed, over {} times; the greatest is at {:.4g} s", verdict.value,
-          error.unit, verdict.limit, error.unit, error.times.size(), error.max_time);
+      verdict.detail =
+          fmt::format("over {} times, the greatest at {:.4g} s", error.times.size(), error.max_time);
     }
+    verdict.message = verdict.status == VerdictStatus::not_run
+                          ? verdict.detail
+                          : fmt::format("{:.3g} {} of {:.3g} {} allowed, {}", verdict.value, error.unit,
+                                        verdict.limit, error.unit, verdict.detail);
     result.push_back(std::move(verdict));
   }
   return result;

@@ -27,7 +27,8 @@ struct Verdict {
   double value = -1;      ///< what was found, in `unit`; -1: not run
   double limit = 0;       ///< what is allowed, in `unit`
   std::string unit;
-  std::string message;  ///< the outcome in words, with the numbers
+  std::string detail;   ///< over how much, where the greatest is; or why it was not run
+  std::string message;  ///< the outcome in words, with the numbers and the detail
   std::string reason;   ///< why this limit; may be empty
 };
 
