@@ -8,12 +8,13 @@
 namespace plumb {
 namespace {
 
-/// The generalized-α method of Chung and Hulbert (1993), in the form with algorithmic accelerations a of
-/// Arnold and Brüls (2007):
-///   (1 − αm) aₙ₊₁ + αm aₙ = (1 − αf) q̈ₙ₊₁ + αf q̈ₙ,   M q̈ = f(q),
+/// The generalized-α method of Chung and Hulbert (1993), with the nonlinear forces at the generalized
+/// midpoint (Kuhl and Crisfield 1999):
+///   M ((1 − αm) aₙ₊₁ + αm aₙ) = f((1 − αf) qₙ₊₁ + αf qₙ),
 ///   qₙ₊₁ = qₙ + h vₙ + h² ((½ − β) aₙ + β aₙ₊₁),   vₙ₊₁ = vₙ + h ((1 − γ) aₙ + γ aₙ₊₁),
 /// with αm, αf, β and γ from the spectral radius ρ∞ at infinite frequency. Order 2, provided that it starts
-/// from the true acceleration; ρ∞ = 1 keeps every linear oscillation, 0 removes the highest in a step.
+/// from the true acceleration; ρ∞ = 1 is the midpoint rule, which keeps every linear oscillation, 0 removes
+/// the highest in a step.
 class GeneralizedAlpha : public FixedStepMethod {
  public:
   GeneralizedAlpha(const MethodSpec& spec, Dynamics& dynamics, const State& start)
@@ -25,32 +26,27 @@ class GeneralizedAlpha : public FixedStepMethod {
     alpha_f_ = rho / (rho + 1);
     gamma_ = 0.5 - alpha_m_ + alpha_f_;
     beta_ = 0.25 * (1 - alpha_m_ + alpha_f_) * (1 - alpha_m_ + alpha_f_);
-    dynamics.force(start.q, force_);
-    a_ = force_;
-    dynamics.cable().mass().solve(a_);
+    dynamics.acceleration(start.q, a_);
     // What is wrong with the start itself is found by the first step.
     dynamics.take_collapsed();
   }
 
  private:
   StepResult advance(double h, const State& from, State& to) override {
-    // Written in the new algorithmic acceleration, which starts from the value that a constant q̈ would give.
     const double am = 1 - alpha_m_, af = 1 - alpha_f_;
-    force_mean_ = alpha_f_ * force_;
-    next_a_ = force_;
-    dynamics().cable().mass().solve(next_a_);
-    next_a_ = (next_a_ - alpha_m_ * a_) / am;
+    next_a_ = a_;
     CorrectionSize correction;
     for (int i = 0; i < iterations_; ++i) {
       to.q = from.q + h * from.v + h * h * ((0.5 - beta_) * a_ + beta_ * next_a_);
-      dynamics().force(to.q, next_force_);
+      middle_ = af * to.q + alpha_f_ * from.q;
+      dynamics().force(middle_, residual_);
       if (const auto element = dynamics().take_collapsed())
         return {Outcome::singular, "the slope collapsed within Newton's iteration", *element};
       weighted_ = am * next_a_ + alpha_m_ * a_;
-      dynamics().cable().mass().multiply(weighted_, residual_);
-      residual_ = force_mean_ + af * next_force_ - residual_;
+      dynamics().cable().mass().multiply(weighted_, inertia_);
+      residual_ -= inertia_;
       dynamics().cable().supports().apply(residual_);
-      if (const auto node = dynamics().factor(to.q, am, af * beta_ * h * h))
+      if (const auto node = dynamics().factor(middle_, am, af * beta_ * h * h))
         return {Outcome::singular, "Newton's matrix is singular", *node};
       dynamics().solve(residual_);
       ++dynamics().counters.newton_iterations;
@@ -58,7 +54,12 @@ class GeneralizedAlpha : public FixedStepMethod {
       residual_ *= beta_ * h * h;
       correction = correction_size(residual_, dynamics().cable().element().length());
       if (!std::isfinite(correction.metres)) break;
-      if (correction.metres <= tolerance_) return accept(h, from, to);
+      if (correction.metres <= tolerance_) {
+        to.q = from.q + h * from.v + h * h * ((0.5 - beta_) * a_ + beta_ * next_a_);
+        to.v = from.v + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
+        std::swap(a_, next_a_);
+        return {};
+      }
     }
     return {Outcome::no_convergence,
             fmt::format(
@@ -67,20 +68,11 @@ class GeneralizedAlpha : public FixedStepMethod {
             correction.element};
   }
 
-  StepResult accept(double h, const State& from, State& to) {
-    to.q = from.q + h * from.v + h * h * ((0.5 - beta_) * a_ + beta_ * next_a_);
-    to.v = from.v + h * ((1 - gamma_) * a_ + gamma_ * next_a_);
-    dynamics().force(to.q, force_);
-    std::swap(a_, next_a_);
-    return {};
-  }
-
   double tolerance_;  // m
   int iterations_;
   double alpha_m_, alpha_f_, beta_, gamma_;
-  Eigen::VectorXd a_, next_a_;          // algorithmic accelerations
-  Eigen::VectorXd force_, next_force_;  // M q̈
-  Eigen::VectorXd force_mean_, weighted_, residual_;
+  Eigen::VectorXd a_, next_a_;  // algorithmic accelerations
+  Eigen::VectorXd middle_, weighted_, inertia_, residual_;
 };
 
 }  // namespace
@@ -89,7 +81,7 @@ MethodEntry generalized_alpha_entry() {
   MethodInfo info;
   info.name = "generalized-alpha";
   info.summary = "structural integrator with a chosen damping of high frequencies";
-  info.source = "Chung and Hulbert 1993; Arnold and Brüls 2007";
+  info.source = "Chung and Hulbert 1993; Kuhl and Crisfield 1999";
   info.order = "2";
   info.implicit = true;
   info.takes_step = true;

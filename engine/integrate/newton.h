@@ -21,7 +21,7 @@ inline std::vector<MethodParameter> newton_parameters() {
            .meaning = "most corrections in a step",
            .minimum = 1,
            .maximum = 100,
-           .fallback = 20,
+           .fallback = 50,
            .whole = true}};
 }
 

@@ -26,6 +26,18 @@ TEST(Energy, Rk4AtATenthOfAMillisecondDriftsByLessThanABillionth) {
   EXPECT_GT(trajectory.relative_energy_drift(), 0);
 }
 
+// Figures of an independent program for the same scheme and pendulum over 10 s.
+TEST(Energy, GeneralizedAlphaLosesWhatItsDampingTakes) {
+  for (const auto& [h, lost] : {std::pair{1e-2, 0.017}, std::pair{2e-2, 0.058}}) {
+    MethodSpec with = method("generalized-alpha", h);
+    with.parameters["spectral_radius"] = 0.5;
+    const Trajectory trajectory = run(pendulum(5, 4), with, {10, 0.1});
+    ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+    EXPECT_NEAR(trajectory.relative_energy_drift(), lost, 0.0005) << "h = " << h;
+    EXPECT_LT(trajectory.energies.back().total(), trajectory.energies.front().total());
+  }
+}
+
 TEST(Energy, PotentialEnergyFallsByWeightTimesHeight) {
   Case spec = pendulum(5, 4);
   const Cable cable(spec);
