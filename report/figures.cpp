@@ -32,21 +32,18 @@ const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& er
   return nullptr;
 }
 
-Series points(const std::string& name, std::vector<double> x, std::vector<double> y) {
-  Series series;
-  series.label = name;
-  series.x = std::move(x);
-  series.y = std::move(y);
-  series.line_width = 0;
-  series.marker = Marker::circle;
-  return series;
-}
-
 Series line(const std::string& name, std::vector<double> x, std::vector<double> y) {
   Series series;
   series.label = name;
   series.x = std::move(x);
   series.y = std::move(y);
+  return series;
+}
+
+Series points(const std::string& name, std::vector<double> x, std::vector<double> y) {
+  Series series = line(name, std::move(x), std::move(y));
+  series.line_width = 0;
+  series.marker = Marker::circle;
   return series;
 }
 

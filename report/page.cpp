@@ -69,7 +69,9 @@ data error_rows(const Results& results) {
     data row;
     row["reference"] = use.name;
     row["column"] = error.column;
-    row["series"] = fmt::format("{} ({})", series.description, series.figure);
+    row["series"] = series.description;
+    row["figure"] = series.figure;
+    row["published"] = run.loaded.references[error.reference].kind == ReferenceKind::published;
     row["unit"] = error.unit;
     row["points"] = std::to_string(error.times.size());
     const bool any = !error.times.empty();

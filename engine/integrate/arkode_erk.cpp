@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "engine/integrate/sundials_support.h"
+#include "engine/integrate/library_method.h"
 
 namespace plumb {
 namespace {
@@ -30,42 +30,17 @@ ARKODE_ERKTableID table_of_order(int order) {
 
 /// ARKODE's embedded explicit Runge-Kutta pairs with controlled step (Reynolds et al. 2023). Steps end on the
 /// output times, as the library's interpolation is of lower order than its pairs.
-class ArkodeErk : public Method {
+class ArkodeErk : public sundials::LibraryMethod {
  public:
   ArkodeErk(const MethodSpec& spec, Dynamics& dynamics, const State& start)
-      : rhs_{dynamics, {}, {}},
-        y_(sundials::make_vector(start, context_)),
-        erk_(ERKStepCreate(sundials::RightHandSide::evaluate, start.t, y_.get(), context_)),
-        state_(start) {
+      : LibraryMethod(dynamics, start),
+        erk_(ERKStepCreate(sundials::RightHandSide::evaluate, start.t, y(), context())) {
     if (!erk_) throw std::bad_alloc();
     void* erk = erk_.get();
-    ERKStepSetUserData(erk, &rhs_);
+    ERKStepSetUserData(erk, &right_hand_side());
     ERKStepSStolerances(erk, *spec.rtol, *spec.atol);
-    ERKStepSetErrHandlerFn(erk, sundials::keep_message, &message_);
+    ERKStepSetErrHandlerFn(erk, sundials::keep_message, &message());
     ERKStepSetTableNum(erk, table_of_order(static_cast<int>(spec.parameters.at("order"))));
-  }
-
-  StepResult step(double stop) override {
-    void* erk = erk_.get();
-    ERKStepSetStopTime(erk, stop);
-    rhs_.collapsed_element = -1;
-    double reached = state_.t;
-    const int flag = ERKStepEvolve(erk, stop, y_.get(), &reached, ARK_ONE_STEP);
-    if (flag < 0) return sundials::failure("ERKStepEvolve", flag, message_, rhs_);
-    state_.t = reached;
-    state_.q = sundials::q_of(y_.get());
-    state_.v = sundials::v_of(y_.get());
-    return {};
-  }
-
-  const State& state() const override { return state_; }
-
-  void interpolate(double t, State& at) const override {
-    sundials::Vector y(N_VClone(y_.get()));
-    ERKStepGetDky(erk_.get(), t, 0, y.get());
-    at.t = t;
-    at.q = sundials::q_of(y.get());
-    at.v = sundials::v_of(y.get());
   }
 
   bool stops_at_outputs() const override { return true; }
@@ -77,12 +52,14 @@ class ArkodeErk : public Method {
   }
 
  private:
-  sundials::Context context_;
-  sundials::RightHandSide rhs_;
-  sundials::Vector y_;
+  int evolve(double stop, double& reached) override {
+    ERKStepSetStopTime(erk_.get(), stop);
+    return ERKStepEvolve(erk_.get(), stop, y(), &reached, ARK_ONE_STEP);
+  }
+
+  void dense_output(double t, N_Vector to) const override { ERKStepGetDky(erk_.get(), t, 0, to); }
+
   std::unique_ptr<void, FreeErk> erk_;
-  State state_;
-  std::string message_;
 };
 
 }  // namespace

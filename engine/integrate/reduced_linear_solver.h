@@ -3,7 +3,7 @@
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 
-#include "engine/integrate/sundials_support.h"
+#include "engine/integrate/library_method.h"
 
 namespace plumb::sundials {
 

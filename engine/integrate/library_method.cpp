@@ -1,4 +1,4 @@
-#include "engine/integrate/sundials_support.h"
+#include "engine/integrate/library_method.h"
 
 #include <fmt/format.h>
 
@@ -50,11 +50,31 @@ void keep_message(int code, const char*, const char*, char* message, void* data)
   if (code < 0) *static_cast<std::string*>(data) = message;
 }
 
-StepResult failure(const std::string& function, int flag, const std::string& message,
-                   const RightHandSide& rhs) {
-  if (rhs.collapsed_element >= 0) return {Outcome::singular, "the slope collapsed", rhs.collapsed_element};
-  return {Outcome::no_convergence,
-          fmt::format("{} gave up ({}){}{}", function, flag, message.empty() ? "" : ": ", message), -1};
+LibraryMethod::LibraryMethod(Dynamics& dynamics, const State& start)
+    : right_hand_side_{dynamics, {}, {}}, y_(make_vector(start, context_)), state_(start) {}
+
+StepResult LibraryMethod::step(double stop) {
+  right_hand_side_.collapsed_element = -1;
+  double reached = state_.t;
+  const int flag = evolve(stop, reached);
+  if (flag < 0 && right_hand_side_.collapsed_element >= 0)
+    return {Outcome::singular, "the slope collapsed", right_hand_side_.collapsed_element};
+  if (flag < 0)
+    return {Outcome::no_convergence,
+            fmt::format("SUNDIALS gave up ({}){}{}", flag, message_.empty() ? "" : ": ", message_), -1};
+  state_.t = reached;
+  state_.q = q_of(y_.get());
+  state_.v = v_of(y_.get());
+  return {};
+}
+
+void LibraryMethod::interpolate(double t, State& at) const {
+  const Vector y(N_VClone(y_.get()));
+  if (!y) throw std::bad_alloc();
+  dense_output(t, y.get());
+  at.t = t;
+  at.q = q_of(y.get());
+  at.v = v_of(y.get());
 }
 
 }  // namespace plumb::sundials

@@ -49,8 +49,33 @@ struct RightHandSide {
 /// Takes the library's error messages instead of standard error; `data` is a std::string.
 void keep_message(int code, const char* module, const char* function, char* message, void* data);
 
-/// The outcome for a library's return value < 0.
-StepResult failure(const std::string& function, int flag, const std::string& message,
-                   const RightHandSide& rhs);
+/// What the methods of the library share: the vector y = (q, v) and the state it stands for.
+class LibraryMethod : public Method {
+ public:
+  LibraryMethod(Dynamics& dynamics, const State& start);
+
+  const State& state() const final { return state_; }
+  StepResult step(double stop) final;
+  void interpolate(double t, State& at) const final;
+
+ protected:
+  /// Calls the library for one step that ends at `stop` at the latest; sets `reached` and returns its flag.
+  virtual int evolve(double stop, double& reached) = 0;
+  /// Sets y to the library's interpolant at t within the last step.
+  virtual void dense_output(double t, N_Vector y) const = 0;
+
+  const Context& context() const { return context_; }
+  RightHandSide& right_hand_side() { return right_hand_side_; }
+  N_Vector y() { return y_.get(); }
+  /// The library's last error message, for keep_message.
+  std::string& message() { return message_; }
+
+ private:
+  Context context_;
+  RightHandSide right_hand_side_;
+  Vector y_;
+  State state_;
+  std::string message_;
+};
 
 }  // namespace plumb::sundials
