@@ -3,75 +3,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/output/run_file.h"
 #include "report/base64.h"
 #include "report/escape.h"
 #include "report/page.h"
 #include "report/results.h"
-#include "tests/report/program.h"
+#include "tests/report/made_run.h"
 
 namespace plumb {
 namespace {
-
-/// A run of three outputs made by hand: a vertical cable whose tip falls as −t², beside figures that know it.
-Run run_with(const std::string& title, const std::string& extra = "") {
-  CaseSource source;
-  source.file = {"made/by<hand>.toml", R"(title = ")" + title + R"("
-[cable]
-length = 2
-area = 1e-6
-density = 1000
-youngs_modulus = 1e6
-elements = 1
-[method]
-name = "rk4"
-step = 0.1
-[time]
-end = 1.0
-output_interval = 0.5
-[[probe]]
-name = "tip"
-at = 1.0
-quantity = "position"
-[[reference]]
-name = "known"
-file = "known.toml"
-compare = { y = "tip.y" }
-tolerance = 0.125
-)" + extra};
-  source.references = {{"known.toml", R"(title = "known <b>"
-kind = "published"
-source = "a & b"
-obtained = "by hand"
-time_unit = "s"
-columns = ["t", "y"]
-rows = [[0.0, 0.0], [0.5, -0.25], [1.0, -0.9]]
-[[series]]
-name = "y"
-description = "height"
-figure = "Fig. 1"
-unit = "m"
-uncertainty = 0.01
-uncertainty_basis = "guess"
-)"}};
-  Run run;
-  run.loaded = load_case(source);
-  run.trajectory.outcome = Outcome::completed;
-  run.trajectory.elements = 1;
-  run.trajectory.element_length = 2;
-  run.trajectory.end_time = 1;
-  for (const double t : {0.0, 0.5, 1.0}) {
-    Eigen::VectorXd q(12), v = Eigen::VectorXd::Zero(12);
-    q << 0, 0, 0, 1, 0, 0, 2, -t * t, 0, 1, 0, 0;
-    v[7] = -2 * t;
-    run.trajectory.times.push_back(t);
-    run.trajectory.q.push_back(q);
-    run.trajectory.v.push_back(v);
-    run.trajectory.energies.push_back({1, 0.1 * t, 0, 0});
-  }
-  run.probes = probe(run.loaded.spec, run.trajectory);
-  return run;
-}
 
 TEST(SeriesError, IsTheDistanceAtTheReferenceTimes) {
   const plumb::Run run = run_with("a");
@@ -210,28 +149,6 @@ TEST(Base64, FollowsTheStandardsExamples) {
   EXPECT_EQ(base64("foo"), "Zm9v");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
   EXPECT_EQ(base64(std::string("\xFF\xFE\x00", 3)), "//4A");
-}
-
-TEST(RunFile, KeepsEveryNumberOfARun) {
-  const TemporaryFolder folder;
-  plumb::Run run = run_with("a");
-  run.provenance = {{"program", "test"}};
-  run.trajectory.counters.steps = 17;
-  run.trajectory.solve_seconds = 0.25;
-  write_text(folder / "run.h5", encode_run(run));
-  const plumb::Run back = read_run((folder / "run.h5").string());
-  EXPECT_EQ(back.trajectory.times, run.trajectory.times);
-  EXPECT_EQ(back.trajectory.q, run.trajectory.q);
-  EXPECT_EQ(back.trajectory.v, run.trajectory.v);
-  EXPECT_EQ(back.trajectory.counters.steps, 17);
-  EXPECT_EQ(back.trajectory.counters.newton_iterations, -1);
-  EXPECT_EQ(back.trajectory.solve_seconds, 0.25);
-  EXPECT_EQ(back.trajectory.outcome, Outcome::completed);
-  EXPECT_EQ(back.provenance, run.provenance);
-  EXPECT_EQ(back.loaded.spec, run.loaded.spec);
-  for (std::size_t k = 0; k < 3; ++k)
-    EXPECT_EQ(back.trajectory.energies[k].axial, run.trajectory.energies[k].axial);
-  EXPECT_EQ(to_csv(back.probes), to_csv(run.probes));
 }
 
 }  // namespace

@@ -1,0 +1,83 @@
+#include "engine/output/run_file.h"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include "engine/errors.h"
+#include "tests/report/made_run.h"
+#include "tests/report/program.h"
+
+namespace plumb {
+namespace {
+
+TEST(RunFile, KeepsEveryNumberOfARun) {
+  const TemporaryFolder folder;
+  plumb::Run run = run_with("a");
+  run.provenance = {{"program", "test"}};
+  run.trajectory.counters.steps = 17;
+  run.trajectory.solve_seconds = 0.25;
+  write_text(folder / "run.h5", encode_run(run));
+  const plumb::Run back = read_run((folder / "run.h5").string());
+  EXPECT_EQ(back.trajectory.times, run.trajectory.times);
+  EXPECT_EQ(back.trajectory.q, run.trajectory.q);
+  EXPECT_EQ(back.trajectory.v, run.trajectory.v);
+  EXPECT_EQ(back.trajectory.counters.steps, 17);
+  EXPECT_EQ(back.trajectory.counters.newton_iterations, -1);
+  EXPECT_EQ(back.trajectory.solve_seconds, 0.25);
+  EXPECT_EQ(back.trajectory.outcome, Outcome::completed);
+  EXPECT_EQ(back.provenance, run.provenance);
+  EXPECT_EQ(back.loaded.spec, run.loaded.spec);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(back.trajectory.energies[k].axial, run.trajectory.energies[k].axial);
+  EXPECT_EQ(to_csv(back.probes), to_csv(run.probes));
+}
+
+/// Calls `visit` with the path and identifier of every data set of a file.
+template <class Visit>
+void for_each_data_set(const fs::path& path, Visit visit) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  H5Ovisit(
+      file, H5_INDEX_NAME, H5_ITER_INC,
+      [](hid_t root, const char* name, const H5O_info_t* info, void* data) -> herr_t {
+        if (info->type != H5O_TYPE_DATASET) return 0;
+        const hid_t set = H5Dopen2(root, name, H5P_DEFAULT);
+        (*static_cast<Visit*>(data))(std::string(name), set);
+        H5Dclose(set);
+        return 0;
+      },
+      &visit);
+  H5Fclose(file);
+}
+
+TEST(RunFile, HasAUnitOnEveryDataSet) {
+  const TemporaryFolder folder;
+  write_text(folder / "run.h5", encode_run(run_with("a")));
+  int sets = 0;
+  for_each_data_set(folder / "run.h5", [&](const std::string& name, hid_t set) {
+    ++sets;
+    EXPECT_GT(H5Aexists(set, "unit"), 0) << name;
+  });
+  EXPECT_GT(sets, 25);
+}
+
+TEST(RunFile, OfALaterVersionIsRefused) {
+  const TemporaryFolder folder;
+  write_text(folder / "run.h5", encode_run(run_with("a")));
+  const hid_t file = H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, "format_version", H5P_DEFAULT);
+  const long later = run_file_version + 1;
+  H5Dwrite(set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, &later);
+  H5Dclose(set);
+  H5Fclose(file);
+  try {
+    read_run((folder / "run.h5").string());
+    FAIL() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("its format version is 2, this program reads up to 1"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace plumb
