@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/errors.h"
+#include "engine/integrate/state_at.h"
 #include "engine/model/hermite.h"
 
 namespace plumb {
@@ -43,15 +44,7 @@ Motion::Motion(const Trajectory& trajectory) : trajectory_(trajectory) {
 }
 
 Eigen::VectorXd Motion::state(double time) const {
-  const std::vector<double>& times = trajectory_.times;
-  const auto after = std::upper_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return trajectory_.q.front();
-  if (after == times.end()) return trajectory_.q.back();
-  const auto i = static_cast<std::size_t>(after - times.begin()) - 1;
-  const double interval = times[i + 1] - times[i];
-  const auto s = Hermite::values((time - times[i]) / interval, interval);
-  return s[0] * trajectory_.q[i] + s[1] * trajectory_.v[i] + s[2] * trajectory_.q[i + 1] +
-         s[3] * trajectory_.v[i + 1];
+  return state_at(trajectory_, std::clamp(time, trajectory_.times.front(), trajectory_.times.back())).q;
 }
 
 std::vector<CurvePoint> Motion::curve(const Eigen::VectorXd& state, int per_element) const {
