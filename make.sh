@@ -29,9 +29,10 @@ install_missing_packages() {
     fi
     as_root=(sudo)
   fi
-  echo "make.sh: installing ${missing[*]}"
   mkdir -p build
   local log=build/packages.log
+  echo "make.sh: installing ${missing[*]}"
+  echo "make.sh: with all they need this can be 300 MB and take some minutes; what apt-get says is in $log"
   if ! {
     ${as_root[@]+"${as_root[@]}"} apt-get update &&
       ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
@@ -42,15 +43,16 @@ install_missing_packages() {
   fi
 }
 
+# Builds the targets that are named, or everything.
 build() {
   install_missing_packages
   cmake --preset "$preset"
-  cmake --build --preset "$preset"
+  cmake --build --preset "$preset" ${1+--target "$@"}
 }
 
 case ${1:-} in
   report)
-    build
+    build plumb
     "build/$preset/plumb" run cases/pendulum.toml
     ;;
   test)
@@ -58,9 +60,10 @@ case ${1:-} in
     ctest --preset "$preset" -j "$(nproc)"
     ;;
   build)
-    build
+    build plumb
     ;;
   *)
+    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test and build" >&2; fi
     sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p }' "$0" >&2
     exit 2
     ;;

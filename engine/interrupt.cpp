@@ -19,8 +19,13 @@ void request_stop(int signal) {
 }  // namespace
 
 void catch_interrupts() {
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // Whoever started the program may have asked for a signal to be ignored (nohup does).
+    if (std::signal(signal, request_stop) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+  // A closed pipe and a file that may not grow are errors of a write, told by it.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void stop_if_interrupted() {

@@ -23,6 +23,8 @@ void load(Function& function, const char* name) {
 }
 
 void refuse_crashing_environment() {
+  // The driver would leave a cache of compiled shaders in the home folder.
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
   if (width != nullptr && std::strtol(width, nullptr, 10) >= 512)
     throw OutputError(fmt::format(

@@ -37,9 +37,12 @@ Motion::Motion(const Trajectory& trajectory) : trajectory_(trajectory) {
     if (!q.allFinite() || !v.allFinite())
       throw OutputError(
           fmt::format("the run cannot be drawn: the state at {} s is not finite", trajectory.times[i]));
-    if (q.cwiseAbs().maxCoeff() > limit)
+    double distance = 0;
+    for (Eigen::Index node = 0; node <= trajectory.elements; ++node)
+      distance = std::max(distance, q.segment<3>(6 * node).lpNorm<Eigen::Infinity>());
+    if (distance > limit)
       throw OutputError(fmt::format("the run cannot be drawn: at {} s the cable is {:.3g} m away",
-                                    trajectory.times[i], q.cwiseAbs().maxCoeff()));
+                                    trajectory.times[i], distance));
   }
 }
 

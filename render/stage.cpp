@@ -48,7 +48,7 @@ double main_direction(const std::vector<Eigen::Vector2d>& spread) {
 Stage make_stage(const Motion& motion, double length, double radius, const Vec3& gravity,
                  const std::optional<CameraSpec>& camera, double aspect) {
   Stage stage;
-  stage.up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(Vec3::UnitY());
+  stage.up = gravity.stableNorm() > 0 ? Vec3(-gravity.stableNormalized()) : Vec3(Vec3::UnitY());
   const Vec3 reference = std::abs(stage.up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
   stage.across = (reference - stage.up * stage.up.dot(reference)).normalized();
   stage.forward = stage.across.cross(stage.up);

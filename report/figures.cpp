@@ -51,7 +51,7 @@ Panel difference_panel(const std::vector<const SeriesError*>& errors) {
   Panel panel;
   panel.height_share = difference_share;
   panel.x.label = "time [s]";
-  panel.y.label = fmt::format("difference [{}]", errors.front()->unit);
+  panel.y.label = fmt::format("Plumb − ref. [{}]", errors.front()->unit);
   panel.y.zero_line = true;
   for (const SeriesError* error : errors)
     panel.series.push_back(line(errors.size() > 1 ? error->column : "", error->times, error->difference));
@@ -117,17 +117,17 @@ Figure energy_figure(const Run& run) {
   energies.series.back().color = Color{};
   energies.series.back().dash = Dash::dashed;
   const double first = trajectory.energies.empty() ? 0 : trajectory.energies.front().total();
-  const double kinetic = trajectory.energies.empty() ? 0 : trajectory.energies.front().kinetic;
+  const double kinetic = trajectory.kinetic_scale();
   Panel drift;
   drift.x.label = "time [s]";
-  drift.y.label = kinetic > 0 ? "drift / first kinetic" : "drift [J]";
+  drift.y.label = kinetic > 0 ? "drift / kinetic [1]" : "drift [J]";
   drift.y.zero_line = true;
   drift.height_share = difference_share;
   drift.series = {
       part("", [&](const Energies& e) { return (e.total() - first) / (kinetic > 0 ? kinetic : 1); })};
 
   Figure figure;
-  figure.name = "energy";
+  figure.name = energy_figure_name;
   figure.title = "Energy over time";
   figure.alt = fmt::format(
       "Plot of kinetic, axial, bending, potential and total energy over time. The total drifts by at most "

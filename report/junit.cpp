@@ -24,12 +24,11 @@ struct Suite {
 std::vector<Suite> suites(const Results& results) {
   const Trajectory& t = results.run.trajectory;
   std::vector<Suite> all;
-  all.push_back(
-      {"integration",
-       {{t.elements > 0 ? fmt::format("{}, {} elements", results.run.loaded.spec.method.name, t.elements)
-                        : results.run.loaded.spec.method.name,
-         results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
-         std::max(0.0, t.solve_seconds)}}});
+  all.push_back({"integration",
+                 {{fmt::format("{}, {}", results.run.loaded.spec.method.name,
+                               counted(t.elements, "element", "elements")),
+                   results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
+                   std::max(0.0, t.solve_seconds)}}});
   for (const VerdictKind kind : {VerdictKind::verification, VerdictKind::validation, VerdictKind::regression,
                                  VerdictKind::performance}) {
     Suite suite{std::string(word(kind)), {}};

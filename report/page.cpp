@@ -221,6 +221,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   }
   page.set("figures", figures);
   page["animation"] = data_uri(pictures.page_animation);
+  page["still"] = data_uri(pictures.page_still);
   page["animation_width"] = std::to_string(pictures.page_animation_width);
   page["animation_height"] = std::to_string(pictures.page_animation_height);
   page["frames"] = std::to_string(pictures.frames);
@@ -229,7 +230,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["first_kinetic"] =
       trajectory.energies.empty() ? "not run" : number(trajectory.energies.front().kinetic);
   page["drift"] = number(trajectory.energy_drift());
-  page["relative_drift"] = number(trajectory.relative_energy_drift());
+  page["drift_in_words"] = drift_in_words(trajectory);
   page["cost"] = cost_rows(results);
   page["formulation"] = render(formulation_mustache, formulation);
   page["case_rows"] = case_rows(spec);

@@ -84,6 +84,7 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFold
   input.spec = page_scene(input.spec);
   SceneRenderer small(context, run.trajectory, input);
   draw_frames(small, texts, [&](int, std::string png) { frames.push_back(std::move(png)); });
+  result.page_still = frames.back();
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];

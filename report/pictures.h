@@ -27,6 +27,7 @@ struct Pictures {
   int page_animation_width = 0;   ///< pixels
   int page_animation_height = 0;  ///< pixels
   std::string page_animation;     ///< animated PNG small enough for the page
+  std::string page_still;         ///< its last frame, for paper
 };
 
 /// Called now and then with the share done, 0 to 1.

@@ -26,6 +26,12 @@ struct Results {
 /// Compares a run with its references.
 Results evaluate(const Run& run, const Stages& stages);
 
+/// "1 step", "2 steps".
+std::string counted(long n, const std::string& one, const std::string& many);
+
+/// The energy drift relative to what it is held against: "3.4e-14 of the first kinetic energy".
+std::string drift_in_words(const Trajectory& trajectory);
+
 /// The report in one sentence: how many criteria are met and the greatest distance to each reference.
 std::string headline(const Results& results);
 

@@ -30,6 +30,26 @@ Reached reached_times(const Reference& reference, const Run& run) {
   return result;
 }
 
+/// Sets the norms of the differences. A difference that is not a number makes them not a number, so that
+/// nothing passes.
+void measure(SeriesError& error) {
+  for (std::size_t k = 0; k < error.times.size() && !std::isnan(error.max); ++k) {
+    const double distance = std::abs(error.difference[k]);
+    if (distance <= error.max) continue;
+    error.max = distance;
+    error.max_time = error.times[k];
+  }
+  if (!(error.max > 0)) {
+    error.rms = error.max;
+    return;
+  }
+  // Scaled, so that a square does not overflow where the number itself does not.
+  double squares = 0;
+  for (const double difference : error.difference)
+    squares += difference / error.max * (difference / error.max);
+  error.rms = error.max * std::sqrt(squares / static_cast<double>(error.times.size()));
+}
+
 }  // namespace
 
 std::vector<SeriesError> series_errors(const Run& run) {
@@ -49,18 +69,11 @@ std::vector<SeriesError> series_errors(const Run& run) {
       error.times = reached.times;
       error.missed = reached.missed;
       error.interpolated = reached.interpolated;
-      double squares = 0;
       for (std::size_t k = 0; k < reached.times.size(); ++k) {
-        const double difference = seen.find(pair.column)->values[k] - series.values[k];
         error.expected.push_back(series.values[k]);
-        error.difference.push_back(difference);
-        squares += difference * difference;
-        if (std::abs(difference) > error.max) {
-          error.max = std::abs(difference);
-          error.max_time = reached.times[k];
-        }
+        error.difference.push_back(seen.find(pair.column)->values[k] - series.values[k]);
       }
-      if (!reached.times.empty()) error.rms = std::sqrt(squares / static_cast<double>(reached.times.size()));
+      measure(error);
       result.push_back(std::move(error));
     }
   }

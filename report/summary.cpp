@@ -32,11 +32,10 @@ std::string to_summary(const Results& results) {
     }
   if (left_out > 0) text += fmt::format("\n{} more criteria are in results.json.\n", left_out);
   text += fmt::format(
-      "\n{} with {} elements to {:.4g} s: {} steps, {} force and {} tangent evaluations, {:.3g} s; "
-      "energy drift {:.2g} of the first kinetic energy.\n",
-      escape_markdown(run.loaded.spec.method.name), t.elements, t.end_time, t.counters.steps,
-      t.counters.force_evaluations, t.counters.tangent_evaluations, t.solve_seconds,
-      t.relative_energy_drift());
+      "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",
+      escape_markdown(run.loaded.spec.method.name), counted(t.elements, "element", "elements"), t.end_time,
+      counted(t.counters.steps, "step", "steps"), t.counters.force_evaluations,
+      t.counters.tangent_evaluations, t.solve_seconds, drift_in_words(t));
   return text;
 }
 

@@ -32,6 +32,20 @@ std::string_view word(VerdictStatus status) {
   return "not run";
 }
 
+namespace {
+
+/// Over how many times a distance was taken, where the greatest is, and what else must be known to judge it.
+std::string where(const SeriesError& error, const Run& run) {
+  std::string text = fmt::format("over {} of {} times, the greatest at {:.4g} s", error.times.size(),
+                                 run.loaded.references[error.reference].times.size(), error.max_time);
+  if (error.interpolated > 0)
+    text += fmt::format("; {} of them interpolated between outputs {:.4g} s apart", error.interpolated,
+                        run.loaded.spec.time.output_interval);
+  return text;
+}
+
+}  // namespace
+
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors) {
   std::vector<Verdict> result;
   for (const SeriesError& error : errors) {
@@ -41,8 +55,9 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     verdict.kind =
         reference.kind == ReferenceKind::published ? VerdictKind::validation : VerdictKind::verification;
     verdict.name = use.name + ": " + error.column;
-    verdict.criterion = fmt::format("{} |{} − {}| ≤ {:.3g} {}", word(use.norm), error.column, error.series,
-                                    use.tolerance, error.unit);
+    verdict.criterion = fmt::format("{} |Plumb − {}| of {} ≤ {:.3g} {}", word(use.norm),
+                                    reference.kind == ReferenceKind::published ? "published" : "computed",
+                                    error.column, use.tolerance, error.unit);
     verdict.limit = use.tolerance;
     verdict.unit = error.unit;
     verdict.reason = use.reason;
@@ -57,8 +72,7 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
       verdict.value = use.norm == Norm::max ? error.max : error.rms;
       // A distance that is not a number must not pass.
       verdict.status = verdict.value <= verdict.limit ? VerdictStatus::passed : VerdictStatus::failed;
-      verdict.detail =
-          fmt::format("over {} times, the greatest at {:.4g} s", error.times.size(), error.max_time);
+      verdict.detail = where(error, run);
     }
     verdict.message = verdict.status == VerdictStatus::not_run
                           ? verdict.detail

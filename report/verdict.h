@@ -23,7 +23,7 @@ struct Verdict {
   VerdictKind kind = VerdictKind::verification;
   VerdictStatus status = VerdictStatus::not_run;
   std::string name;       ///< unique in a report: "published: mid.y"
-  std::string criterion;  ///< "max |mid.y − mid_y| ≤ 1e-05 m"
+  std::string criterion;  ///< "max |Plumb − published| of mid.y ≤ 1e-05 m"
   double value = -1;      ///< what was found, in `unit`; -1: not run
   double limit = 0;       ///< what is allowed, in `unit`
   std::string unit;

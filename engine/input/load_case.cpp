@@ -14,6 +14,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::size_t longest_title = 500;
+
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
                      const ReferenceText& text_of) {
   const TomlValue written = parse_toml(file);
@@ -29,6 +31,8 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   // All tables are asked for before any is read: an unknown one is likely the reason why another is missing.
   Case& spec = loaded.spec;
   spec.title = root.text("title", "a title");
+  if (spec.title.size() > longest_title)
+    root.refuse_value("title", fmt::format("must be at most {} bytes long", longest_title));
   const TableReader cable = root.required_table("cable", "a table [cable]"), start = root.table("start");
   const TableReader supports = root.table("supports"), loads = root.table("loads");
   const TableReader method = root.required_table("method", "a table [method]"),

@@ -58,6 +58,8 @@ std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std:
     table.finish();
 
     if (!follows_name_rule(figure.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
+    if (figure.name == energy_figure_name)
+      table.refuse_value("name", "is the name of the figure of energies");
     const auto same = [&](const FigureSpec& other) { return other.name == figure.name; };
     if (std::any_of(figures.begin(), figures.end(), same))
       table.refuse_value("name", "is the name of another figure");

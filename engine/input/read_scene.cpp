@@ -32,12 +32,16 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time) {
   constexpr int smallest = 16, largest = 8192;
   // Where the renderer's frame buffers end.
   constexpr int most_samples = 16384;
+  constexpr double most_samples_in_all = 1e8;
   constexpr double most_frames = 1e5;
+  // What an animated PNG can say of a frame's delay.
+  constexpr double lowest_rate = 0.02, highest_rate = 1000;
   SceneSpec scene;
   if (const auto size = table.numbers("size", 2, Range::whole_between(smallest, largest))) {
     scene.size = {static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
   }
-  scene.frame_rate = table.number("frame_rate", Range::positive("1/s"), scene.frame_rate);
+  scene.frame_rate =
+      table.number("frame_rate", Range::between(lowest_rate, highest_rate, "1/s"), scene.frame_rate);
   scene.supersampling = table.whole("supersampling", 1, 4, scene.supersampling);
   scene.cable_radius = table.number("cable_radius", Range::at_least(0, "m"), scene.cable_radius);
   if (table.has("camera")) scene.camera = read_camera(table.table("camera"));
@@ -46,6 +50,12 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time) {
   if (scene.supersampling * std::max(scene.size[0], scene.size[1]) > most_samples) {
     table.refuse_value("size", fmt::format("times supersampling, {}, must be at most {} (samples)",
                                            scene.supersampling, most_samples));
+  }
+  const double samples = 1.0 * scene.size[0] * scene.size[1] * scene.supersampling * scene.supersampling;
+  if (samples > most_samples_in_all) {
+    table.refuse_value("size",
+                       fmt::format("times supersampling, {}, is {:.3g} samples; at most {:g} are allowed",
+                                   scene.supersampling, samples, most_samples_in_all));
   }
   if (scene.frame_rate * time.end > most_frames) {
     table.refuse_value(

@@ -59,7 +59,9 @@ std::size_t find_endless_key(std::string_view text) {
   bool in_part = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (c == '"' || c == '\'') {
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size() - 1);
+    } else if (c == '"' || c == '\'') {
       const std::size_t end = text.find_first_of(c == '"' ? "\"\n" : "'\n", i + 1);
       if (end != std::string_view::npos && text[end] == c) i = end;
       in_part = true;

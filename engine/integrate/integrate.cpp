@@ -60,8 +60,9 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
 
   const auto started = std::chrono::steady_clock::now();
   const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
-  record(cable, start.t, start, result);
   StepResult last = monitor.check(start);
+  // A start that is not even finite has nothing to show.
+  if (last.outcome != Outcome::diverged) record(cable, start.t, start, result);
   std::size_t next = 1;
   while (last.ok() && next < outputs.size()) {
     stop_if_interrupted();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace plumb {
 namespace {
@@ -12,6 +13,24 @@ namespace {
 /// other.
 int element_of(const Cable& cable, Eigen::Index coordinate) {
   return std::min(static_cast<int>(coordinate / 6), cable.elements() - 1);
+}
+
+struct CollapsedSlope {
+  int element;
+  double length;
+};
+
+/// The first slope at or below its floor, of those at the nodes and in the middle of the elements.
+std::optional<CollapsedSlope> collapsed_slope(const Cable& cable, const Eigen::VectorXd& q) {
+  const double l = cable.element().length();
+  for (int e = 0; e < cable.elements(); ++e) {
+    const auto r0 = q.segment<3>(6 * e), g0 = q.segment<3>(6 * e + 3);
+    const auto r1 = q.segment<3>(6 * e + 6), g1 = q.segment<3>(6 * e + 9);
+    const Vec3 middle = 1.5 / l * (r1 - r0) - 0.25 * (g0 + g1);
+    const double least = std::min({g0.squaredNorm(), middle.squaredNorm(), g1.squaredNorm()});
+    if (!(least > slope_floor * slope_floor)) return CollapsedSlope{e, std::sqrt(least)};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -31,19 +50,17 @@ StepResult Monitor::check(const State& state) const {
     while (std::isfinite((*x)[at])) ++at;
     return {Outcome::diverged, "the state is not finite", element_of(cable_, at)};
   }
-  for (int node = 0; node < cable_.nodes(); ++node) {
-    const double slope = state.q.segment<3>(6 * node + 3).norm();
-    if (slope > slope_floor) continue;
+  if (const auto collapsed = collapsed_slope(cable_, state.q))
     return {Outcome::singular,
-            fmt::format("the slope has collapsed: |r'| = {:.3g} is not above {:g}", slope, slope_floor),
-            element_of(cable_, 6 * node)};
-  }
+            fmt::format("the slope has collapsed: |r'| = {:.3g} is not above {:g}", collapsed->length,
+                        slope_floor),
+            collapsed->element};
   const double energy = cable_.energies(state.q, state.v).total();
   if (!std::isfinite(energy)) return {Outcome::diverged, "the energy is not finite", -1};
   if (energy - first_energy_ > energy_growth_limit * at_hand_)
     return {Outcome::unstable,
-            fmt::format("the energy grew by {:.3g} J, more than {:g} times the {:.3g} J at hand",
-                        energy - first_energy_, energy_growth_limit, at_hand_),
+            fmt::format("the energy grew by {:.3g} J, the bound is {:.3g} J, as much as was at hand",
+                        energy - first_energy_, energy_growth_limit * at_hand_),
             -1};
   return {};
 }

@@ -23,15 +23,35 @@ std::string_view word(Outcome outcome) {
   return "not-run";
 }
 
+namespace {
+
+/// The greater of two numbers; one that is not a number is greater than any.
+double worse(double a, double b) {
+  return b <= a || std::isnan(a) ? a : b;
+}
+
+}  // namespace
+
 double Trajectory::energy_drift() const {
   double drift = 0;
-  for (const Energies& e : energies) drift = std::max(drift, std::abs(e.total() - energies.front().total()));
+  for (const Energies& e : energies) drift = worse(drift, std::abs(e.total() - energies.front().total()));
   return drift;
 }
 
+double Trajectory::kinetic_scale() const {
+  // A start this much slower than what follows is a start from rest.
+  constexpr double rest = 1e-6;
+  double greatest = 0;
+  for (const Energies& e : energies) greatest = std::max(greatest, e.kinetic);
+  const double first = energies.empty() ? 0 : energies.front().kinetic;
+  return first > rest * greatest ? first : greatest;
+}
+
 double Trajectory::relative_energy_drift() const {
-  const double scale = energies.empty() ? 0 : energies.front().kinetic;
-  return scale > 0 ? energy_drift() / scale : 0;
+  const double drift = energy_drift(), scale = kinetic_scale();
+  if (!energies.empty() && drift == 0) return 0;
+  const double relative = drift / scale;
+  return scale > 0 && std::isfinite(relative) ? relative : -1;
 }
 
 }  // namespace plumb

@@ -58,9 +58,12 @@ struct Trajectory {
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone
 
-  /// Greatest |E(t) − E(0)| over the outputs, J, and the same relative to the first kinetic energy (0 where
-  /// that is 0).
+  /// Greatest |E(t) − E(0)| over the outputs, J.
   double energy_drift() const;
+  /// What the drift is held against: the first kinetic energy, or the greatest for a start from rest, J.
+  double kinetic_scale() const;
+  /// energy_drift / kinetic_scale; 0 where nothing moved, -1 where it cannot be told (no outputs, not
+  /// finite).
   double relative_energy_drift() const;
 };
 

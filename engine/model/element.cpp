@@ -1,6 +1,7 @@
 #include "engine/model/element.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "engine/model/hermite.h"
@@ -83,7 +84,8 @@ double Element::strain(const Vec3& slope) const {
 }
 
 double Element::curvature(const Vec3& slope, const Vec3& slope_rate) const {
-  return slope.cross(slope_rate).norm() / std::sqrt(power(slope.squaredNorm()));
+  const double a = std::max(slope.squaredNorm(), slope_floor * slope_floor);
+  return slope.cross(slope_rate).norm() / std::sqrt(power(a));
 }
 
 }  // namespace plumb

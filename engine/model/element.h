@@ -58,7 +58,7 @@ class Element {
 
   /// Strain ε of a slope vector r'.
   double strain(const Vec3& slope) const;
-  /// Curvature κ (1/m) from r' and r'' (1/m). The slope must not have collapsed.
+  /// Curvature κ (1/m) from r' and r'' (1/m); of a collapsed slope, that at the floor.
   double curvature(const Vec3& slope, const Vec3& slope_rate) const;
 
   double axial_stiffness() const { return axial_stiffness_; }

@@ -132,10 +132,15 @@ std::string Writer::bytes() {
   return image;
 }
 
-Reader::Reader(const std::string& path) {
+Reader::Reader(const std::string& bytes) {
   silence();
-  file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (file_ < 0) throw std::runtime_error("it is no HDF5 file, or it was cut short");
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot open a file in memory");
+  constexpr std::size_t growth = 1 << 20;
+  require(H5Pset_fapl_core(access, growth, false), "cannot open a file in memory");
+  // The library takes a copy and does not write to what it is given.
+  require(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "it is no HDF5 file");
+  file_ = H5Fopen("run.h5", H5F_ACC_RDONLY, access);
+  if (file_ < 0) throw std::runtime_error("it is no HDF5 file");
 }
 
 Reader::~Reader() {
@@ -150,6 +155,12 @@ Numbers Reader::numbers(const std::string& path) const {
     require(H5Dread(opened.set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()),
             "the data set " + path + " cannot be read");
   return result;
+}
+
+std::vector<double> Reader::numbers(const std::string& path, const std::vector<hsize_t>& shape) const {
+  if (open(file_, path, H5T_FLOAT).shape != shape)
+    throw std::runtime_error("the data set " + path + " is not of the shape that the others call for");
+  return numbers(path).values;
 }
 
 double Reader::number(const std::string& path) const {

@@ -42,13 +42,16 @@ struct Numbers {
 
 class Reader {
  public:
-  /// Throws if the file is missing, cut short or no HDF5 file.
-  explicit Reader(const std::string& path);
+  /// From the bytes of a file, which must outlive the reader. Throws if they are no HDF5 file.
+  explicit Reader(const std::string& bytes);
   ~Reader();
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
+  /// Numbers of any shape.
   Numbers numbers(const std::string& path) const;
+  /// Numbers of the shape that is expected. Throws for another one before any memory is taken for it.
+  std::vector<double> numbers(const std::string& path, const std::vector<hsize_t>& shape) const;
   double number(const std::string& path) const;
   long integer(const std::string& path) const;
   std::string text(const std::string& path) const;

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -23,21 +25,39 @@ bool may_replace(const fs::path& path) {
   return !fs::exists(path) || (fs::is_directory(path) && (fs::is_empty(path) || fs::exists(path / "run.h5")));
 }
 
+/// Whether a folder lies on another file system than its parent, so that nothing can be renamed to it.
+bool is_mount_point(const fs::path& path) {
+  struct stat own {
+  }, parent{};
+  return ::stat(path.c_str(), &own) == 0 && ::stat(path.parent_path().c_str(), &parent) == 0 &&
+         own.st_dev != parent.st_dev;
+}
+
+fs::perms current_mask() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return static_cast<fs::perms>(mask);
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
   try {
-    fs::path target = fs::absolute(path_).lexically_normal();
+    // Links are followed first, so that what they point at is replaced and not they.
+    fs::path target = fs::weakly_canonical(fs::absolute(path_));
     if (!target.has_filename()) target = target.parent_path();
+    if (fs::is_symlink(target)) fail(path_, "it is a link to nothing");
     if (!may_replace(target))
       fail(path_, "it exists and is no output folder (it has no run.h5), so it is left alone");
     fs::create_directories(target.parent_path());
-    const fs::path working =
-        target.parent_path() / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
-    fs::remove_all(working);
-    fs::create_directory(working);
+    if (is_mount_point(target))
+      fail(path_, "it is a mount point and cannot be replaced; name a folder in it");
+    std::string working =
+        (target.parent_path() / ("." + target.filename().string() + ".part-XXXXXX")).string();
+    if (::mkdtemp(working.data()) == nullptr) fail(path_, std::strerror(errno));
+    fs::permissions(working, fs::perms::all & ~current_mask());
     path_ = target.string();
-    working_ = working.string();
+    working_ = working;
   } catch (const fs::filesystem_error& error) {
     fail(path_, error.code().message());
   }
@@ -48,12 +68,12 @@ OutputFolder::~OutputFolder() {
   if (!committed_) fs::remove_all(working_, ignored);
 }
 
-void OutputFolder::start_from(const std::string& folder) {
-  try {
-    fs::copy(folder, working_, fs::copy_options::recursive);
-  } catch (const fs::filesystem_error& error) {
-    fail(path_, error.code().message());
-  }
+void OutputFolder::keep(const std::string& name) {
+  std::error_code error;
+  const fs::path old = fs::path(path_) / name;
+  if (!fs::is_regular_file(old, error)) return;
+  fs::copy_file(old, file(name), error);
+  if (error) fail(path_, error.message());
 }
 
 std::string OutputFolder::file(const std::string& name) const {

@@ -10,7 +10,8 @@ namespace plumb {
 class OutputFolder {
  public:
   /// Throws OutputError if `path` exists and is neither empty nor an output folder (one with a run.h5): it is
-  /// not ours to replace; or if the temporary folder cannot be made.
+  /// not ours to replace; if it is a mount point; or if the temporary folder cannot be made. Links are
+  /// followed.
   explicit OutputFolder(std::string path);
 
   /// Removes the temporary folder unless it was committed.
@@ -18,8 +19,8 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Copies the files of another output folder into this one.
-  void start_from(const std::string& folder);
+  /// Takes a file of the folder that will be replaced over into the new one, if there is one.
+  void keep(const std::string& name);
 
   /// Where to write for now.
   const std::string& working_path() const { return working_; }

@@ -1,11 +1,19 @@
 #include "engine/output/run_file.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <sstream>
 #include <stdexcept>
 
 #include "engine/errors.h"
+#include "engine/input/place.h"
 #include "engine/output/hdf5.h"
 
 namespace plumb {
@@ -75,37 +83,56 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   for (const auto& [path, part] : counter_parts) file.integer(path, trajectory.counters.*part);
 }
 
+/// Throws std::runtime_error where numbers read cannot be those of a run.
+void check(const Trajectory& trajectory) {
+  const auto finite = [](const Eigen::VectorXd& x) { return x.allFinite(); };
+  if (trajectory.outcome == Outcome::not_run) throw std::runtime_error("it holds no run");
+  if (!(trajectory.element_length > 0) || !std::isfinite(trajectory.element_length + trajectory.end_time))
+    throw std::runtime_error("its lengths and times are not those of a run");
+  if (trajectory.times.empty() || trajectory.times.front() != 0)
+    throw std::runtime_error("its times do not begin at 0");
+  for (std::size_t k = 1; k < trajectory.times.size(); ++k)
+    if (!(trajectory.times[k] > trajectory.times[k - 1]))
+      throw std::runtime_error("its times do not increase");
+  if (!std::isfinite(trajectory.times.back())) throw std::runtime_error("its times are not finite");
+  if (!std::all_of(trajectory.q.begin(), trajectory.q.end(), finite) ||
+      !std::all_of(trajectory.v.begin(), trajectory.v.end(), finite))
+    throw std::runtime_error("its states are not finite");
+  for (const Energies& e : trajectory.energies)
+    if (!std::isfinite(e.total())) throw std::runtime_error("its energies are not finite");
+}
+
 Trajectory read_trajectory(const hdf5::Reader& file) {
+  constexpr long most_elements = 1000000;
   Trajectory result;
   result.outcome = outcome_of(file.text("outcome"));
-  result.message = file.text("message");
-  result.elements = static_cast<int>(file.integer("elements"));
+  result.message = one_line(file.text("message"));
+  const long elements = file.integer("elements");
+  if (elements < 1 || elements > most_elements)
+    throw std::runtime_error(fmt::format("it has {} elements", elements));
+  result.elements = static_cast<int>(elements);
   result.interpolated_outputs = static_cast<int>(file.integer("interpolated_outputs"));
   result.element_length = file.number("element_length");
   result.end_time = file.number("end_time");
   result.solve_seconds = file.number("solve_seconds");
   result.times = file.numbers("time").values;
-  const std::size_t outputs = result.times.size(), nodes = static_cast<std::size_t>(result.elements) + 1;
-  result.q.assign(outputs, Eigen::VectorXd(6 * nodes));
-  result.v = result.q;
+  const hsize_t outputs = result.times.size(), nodes = static_cast<hsize_t>(elements) + 1;
   for (const Field& field : fields) {
-    const hdf5::Numbers numbers = file.numbers(field.path);
-    if (numbers.shape != std::vector<hsize_t>{outputs, nodes, 3})
-      throw std::runtime_error(
-          fmt::format("the data set {} is not {} by {} by 3", field.path, outputs, nodes));
-    auto value = numbers.values.begin();
-    for (Eigen::VectorXd& state : result.*field.coordinates)
-      for (std::size_t node = 0; node < nodes; ++node)
-        for (int k = 0; k < 3; ++k) state[static_cast<Eigen::Index>(6 * node) + field.offset + k] = *value++;
+    const std::vector<double> values = file.numbers(field.path, {outputs, nodes, 3});
+    auto& states = result.*field.coordinates;
+    states.resize(outputs, Eigen::VectorXd(6 * (elements + 1)));
+    auto value = values.begin();
+    for (Eigen::VectorXd& state : states)
+      for (Eigen::Index node = 0; node <= elements; ++node)
+        for (int k = 0; k < 3; ++k) state[6 * node + field.offset + k] = *value++;
   }
   result.energies.resize(outputs);
   for (const auto& [path, part] : energy_parts) {
-    const hdf5::Numbers numbers = file.numbers(path);
-    if (numbers.values.size() != outputs)
-      throw std::runtime_error(fmt::format("the data set {} does not have {} numbers", path, outputs));
-    for (std::size_t k = 0; k < outputs; ++k) result.energies[k].*part = numbers.values[k];
+    const std::vector<double> values = file.numbers(path, {outputs});
+    for (std::size_t k = 0; k < outputs; ++k) result.energies[k].*part = values[k];
   }
   for (const auto& [path, part] : counter_parts) result.counters.*part = file.integer(path);
+  check(result);
   return result;
 }
 
@@ -130,6 +157,31 @@ CaseSource read_source(const hdf5::Reader& file) {
   return source;
 }
 
+/// Ends a run file, behind what HDF5 reads: a mark and the CRC-32 of all before it, so that a file that was
+/// cut or damaged is known before the library, which trusts what it reads, is given it.
+constexpr std::string_view mark = "plumb-crc32 ";
+constexpr std::size_t digits = 8;
+
+std::string check_sum(std::string_view bytes) {
+  return fmt::format("{:08x}", crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+/// The HDF5 part of a run file.
+std::string read_checked(const std::string& path) {
+  const std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(std::strerror(errno));
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::string bytes = text.str();
+  const std::size_t ending = mark.size() + digits;
+  if (bytes.size() < ending || bytes.compare(bytes.size() - ending, mark.size(), mark) != 0)
+    throw std::runtime_error("it is no run file, or it was cut short");
+  const std::string sum = bytes.substr(bytes.size() - digits);
+  bytes.resize(bytes.size() - ending);
+  if (check_sum(bytes) != sum) throw std::runtime_error("it was damaged or changed after it was written");
+  return bytes;
+}
+
 }  // namespace
 
 std::string encode_run(const Run& run) {
@@ -147,15 +199,17 @@ std::string encode_run(const Run& run) {
   }
   file.texts("provenance/names", names);
   file.texts("provenance/values", values);
-  return file.bytes();
+  std::string bytes = file.bytes();
+  const std::string sum = check_sum(bytes);
+  return bytes.append(mark).append(sum);
 }
 
 Run read_run(const std::string& path) {
-  if (!std::filesystem::exists(path)) throw InputError(path + ": there is no such run file");
   try {
-    const hdf5::Reader file(path);
+    const std::string bytes = read_checked(path);
+    const hdf5::Reader file(bytes);
     if (file.text("format") != format_name) throw std::runtime_error("it is no run file of Plumb");
-    if (const long version = file.integer("format_version"); version > run_file_version)
+    if (const long version = file.integer("format_version"); version < 1 || version > run_file_version)
       throw std::runtime_error(
           fmt::format("its format version is {}, this program reads up to {}", version, run_file_version));
     Run run;
@@ -170,6 +224,8 @@ Run read_run(const std::string& path) {
     return run;
   } catch (const InputError& error) {
     throw InputError(path + ": the case in it is invalid: " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw InputError(path + ": cannot be used: it is too large for the memory at hand");
   } catch (const std::runtime_error& error) {
     throw InputError(path + ": cannot be used: " + error.what());
   }

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "report/case_json.h"
+#include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 
@@ -11,12 +11,12 @@ namespace plumb {
 
 ExitStatus check_verb(const Options& options, Talk& talk) {
   const LoadedCase loaded = load(options, talk);
-  std::size_t criteria = 0;
-  for (const ReferenceUse& use : loaded.spec.references) criteria += use.compare.size();
-  talk.line(fmt::format("{} is valid: {}, {} elements, {} to {:.4g} s, {} criteria", loaded.source.file.name,
-                        loaded.spec.title, loaded.spec.cable.elements, loaded.spec.method.name,
-                        loaded.spec.time.end, criteria));
-  if (options.json) std::fputs((case_json(loaded).dump(1) + "\n").c_str(), stdout);
+  long criteria = 0;
+  for (const ReferenceUse& use : loaded.spec.references) criteria += std::ssize(use.compare);
+  talk.line(fmt::format("{} is valid: {}, {}, {} to {:.4g} s, {}", loaded.source.file.name, loaded.spec.title,
+                        counted(loaded.spec.cable.elements, "element", "elements"), loaded.spec.method.name,
+                        loaded.spec.time.end, counted(criteria, "criterion", "criteria")));
+  if (options.json) print_json(case_json(loaded));
   return ExitStatus::done;
 }
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "engine/integrate/method_info.h"
 #include "engine/output/provenance.h"
 #include "render/gl_context.h"
+#include "report/program/print_json.h"
 #include "report/program/verbs.h"
 
 namespace plumb {
@@ -50,7 +50,7 @@ ExitStatus doctor_verb(const Options& options, Talk& talk) {
     json["methods"] = Json::array();
     for (const MethodInfo& method : method_infos()) json["methods"].push_back(method_json(method));
     for (const auto& [name, value] : provenance) json["provenance"][name] = value;
-    std::fputs((json.dump(1) + "\n").c_str(), stdout);
+    print_json(json);
   }
   return ExitStatus::done;
 }

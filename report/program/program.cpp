@@ -7,6 +7,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/nearest.h"
+#include "engine/input/place.h"
 #include "engine/interrupt.h"
 #include "report/program/verbs.h"
 
@@ -19,7 +20,7 @@ constexpr const char* exit_statuses =
     "run file; 4 the solver failed; 5 drawing or writing failed; 130 interrupted.";
 
 int fail(const std::string& message, ExitStatus status) {
-  std::fputs(("plumb: " + message + "\n").c_str(), stderr);
+  std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
   return static_cast<int>(status);
 }
 
@@ -71,6 +72,7 @@ int parse_and_act(int count, const char* const* arguments) {
       "trusted.",
       "plumb"};
   app.footer(exit_statuses);
+  if (count < 2) throw UsageError("a verb is missing (see plumb --help)");
   app.require_subcommand(1);
   app.set_version_flag("--version", "Plumb " PLUMB_VERSION);
   Options options;

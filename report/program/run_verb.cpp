@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 
@@ -12,20 +10,11 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
   OutputFolder folder(output_path(options, loaded));
   stages.begin("solving");
   const Run run = solve(loaded, talk);
+  // A start that is not finite leaves nothing to draw or report; the line about it has been said.
+  if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
   write_run(run, folder);
-  const Pictures pictures = draw_pictures(run, folder, stages, talk);
-  const Results results = evaluate(run, stages);
-  stages.begin("report");
-  const std::string json = write_report(results, pictures, folder);
-  folder.commit();
-  stages.end();
-  say_verdicts(results, talk);
-  talk.line(headline(results));
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) std::fputs(json.c_str(), stdout);
-  return status_of(results);
+  return draw_and_report(run, folder, stages, options, talk);
 }
 
 }  // namespace plumb

@@ -1,9 +1,9 @@
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/output/file_writing.h"
 #include "report/case_json.h"
+#include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 
@@ -19,11 +19,13 @@ ExitStatus solve_verb(const Options& options, Talk& talk) {
     folder->commit();
     talk.line("run: " + folder->path() + "/run.h5");
   }
-  if (options.csv == "-")
-    std::fputs(to_csv(run.probes).c_str(), stdout);
-  else if (!options.csv.empty())
+  if (options.csv == "-") {
+    write_to_standard_output(to_csv(run.probes));
+  } else if (!options.csv.empty()) {
     write_file(options.csv, to_csv(run.probes));
-  if (options.json) std::fputs((solve_json(run).dump(1) + "\n").c_str(), stdout);
+    talk.line("probes: " + options.csv);
+  }
+  if (options.json) print_json(solve_json(run));
   return run.trajectory.outcome == Outcome::completed ? ExitStatus::done : ExitStatus::solver_failed;
 }
 

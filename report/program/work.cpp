@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "engine/errors.h"
 #include "engine/integrate/integrate.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/run_file.h"
@@ -14,47 +15,11 @@ namespace plumb {
 
 namespace fs = std::filesystem;
 
-LoadedCase load(const Options& options, Talk& talk) {
-  LoadedCase loaded = load_case(options.input, options.overrides);
-  for (const std::string& remark : loaded.remarks) talk.remark(remark);
-  return loaded;
-}
+namespace {
 
-Run solve(const LoadedCase& loaded, Talk& talk) {
-  const double end = loaded.spec.time.end;
-  Trajectory trajectory = integrate(loaded.spec, [&](double t) { talk.progress("solving", t / end); });
-  talk.end_progress();
-  ProbeTable probes = probe(loaded.spec, trajectory);
-  talk.line(fmt::format("{}: {} with {} elements to {:.4g} s in {} steps, {:.3g} s", loaded.spec.title,
-                        loaded.spec.method.name, trajectory.elements, trajectory.end_time,
-                        trajectory.counters.steps, trajectory.solve_seconds));
-  if (trajectory.outcome != Outcome::completed)
-    talk.line(talk.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
-  return {loaded, std::move(trajectory), std::move(probes), provenance_now()};
-}
+constexpr const char* run_file_name = "run.h5";
 
-std::string output_path(const Options& options, const LoadedCase& loaded) {
-  if (!options.output.empty()) return options.output;
-  return (fs::path("output") / fs::path(loaded.source.file.name).stem()).string();
-}
-
-FoundRun find_run(const std::string& path) {
-  const fs::path file = fs::is_directory(path) ? fs::path(path) / "run.h5" : fs::path(path);
-  return {read_run(file.string()), fs::absolute(file).parent_path().string()};
-}
-
-void write_run(const Run& run, OutputFolder& folder) {
-  write_file(folder.file("run.h5"), encode_run(run));
-  write_file(folder.file("probes.csv"), to_csv(run.probes));
-}
-
-Pictures draw_pictures(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk) {
-  Pictures pictures =
-      draw(run, series_errors(run), folder, stages, [&](double share) { talk.progress("drawing", share); });
-  talk.end_progress();
-  return pictures;
-}
-
+/// Writes index.html, results.json, junit.xml and summary.md; returns what results.json holds.
 std::string write_report(const Results& results, const Pictures& pictures, OutputFolder& folder) {
   write_file(folder.file("index.html"), to_page(results, pictures));
   std::string json = to_json(results);
@@ -73,6 +38,66 @@ void say_verdicts(const Results& results, Talk& talk) {
   }
 }
 
+/// 0, 1 or 4 by outcome and verdicts.
+ExitStatus status_of(const Results& results) {
+  if (!results.solved()) return ExitStatus::solver_failed;
+  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+}  // namespace
+
+LoadedCase load(const Options& options, Talk& talk) {
+  LoadedCase loaded = load_case(options.input, options.overrides);
+  for (const std::string& remark : loaded.remarks) talk.remark(remark);
+  return loaded;
+}
+
+Run solve(const LoadedCase& loaded, Talk& talk) {
+  const double end = loaded.spec.time.end;
+  Trajectory trajectory = integrate(loaded.spec, [&](double t) { talk.progress("solving", t / end); });
+  talk.end_progress();
+  ProbeTable probes = probe(loaded.spec, trajectory);
+  talk.line(fmt::format("{}: {} with {} to {:.4g} s in {}, {:.3g} s", loaded.spec.title,
+                        loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
+                        trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
+                        trajectory.solve_seconds));
+  if (trajectory.outcome != Outcome::completed)
+    talk.line(talk.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
+  return {loaded, std::move(trajectory), std::move(probes), provenance_now()};
+}
+
+std::string output_path(const Options& options, const LoadedCase& loaded) {
+  if (!options.output.empty()) return options.output;
+  return (fs::path("output") / fs::path(loaded.source.file.name).stem()).string();
+}
+
+Run find_run(const std::string& path) {
+  std::error_code ignored;
+  return read_run(fs::is_directory(path, ignored) ? (fs::path(path) / run_file_name).string() : path);
+}
+
+std::string output_path_of_run(const Options& options) {
+  if (!options.output.empty()) return options.output;
+  std::error_code ignored;
+  const fs::path path = options.input;
+  if (fs::is_directory(path, ignored)) return path.string();
+  if (path.filename() != run_file_name)
+    throw UsageError(options.input + " is not named run.h5: name the output folder with -o");
+  return fs::absolute(path).parent_path().string();
+}
+
+void write_run(const Run& run, OutputFolder& folder) {
+  write_file(folder.file(run_file_name), encode_run(run));
+  write_file(folder.file("probes.csv"), to_csv(run.probes));
+}
+
+Pictures draw_pictures(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk) {
+  Pictures pictures =
+      draw(run, series_errors(run), folder, stages, [&](double share) { talk.progress("drawing", share); });
+  talk.end_progress();
+  return pictures;
+}
+
 void say_stages(const Stages& stages, Talk& talk) {
   std::string text;
   double total = 0;
@@ -86,9 +111,20 @@ void say_stages(const Stages& stages, Talk& talk) {
       fmt::format("time: {}; {:.2f} s in all; peak memory {} MB", text, total, usage.ru_maxrss / 1024)));
 }
 
-ExitStatus status_of(const Results& results) {
-  if (!results.solved()) return ExitStatus::solver_failed;
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
+                           Talk& talk) {
+  const Pictures pictures = draw_pictures(run, folder, stages, talk);
+  const Results results = evaluate(run, stages);
+  stages.begin("report");
+  const std::string json = write_report(results, pictures, folder);
+  folder.commit();
+  stages.end();
+  say_verdicts(results, talk);
+  talk.line(headline(results));
+  say_stages(stages, talk);
+  talk.line("report: " + folder.path() + "/index.html");
+  if (options.json) write_to_standard_output(json);
+  return status_of(results);
 }
 
 }  // namespace plumb

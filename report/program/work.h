@@ -21,14 +21,12 @@ Run solve(const LoadedCase& loaded, Talk& talk);
 /// The folder for a case's results: that of -o, or output/ and the case file's name.
 std::string output_path(const Options& options, const LoadedCase& loaded);
 
-/// A run with the folder it lies in.
-struct FoundRun {
-  Run run;
-  std::string folder;
-};
-
 /// Reads a run from a path to its file or its folder. Throws InputError.
-FoundRun find_run(const std::string& path);
+Run find_run(const std::string& path);
+
+/// The folder for what is made from a run: that of -o, or the one that the run lies in. Throws UsageError for
+/// a run file of another name than run.h5 without -o, as it is no part of the folder it lies in.
+std::string output_path_of_run(const Options& options);
 
 /// Writes run.h5 and probes.csv.
 void write_run(const Run& run, OutputFolder& folder);
@@ -36,14 +34,11 @@ void write_run(const Run& run, OutputFolder& folder);
 /// Draws with a progress bar.
 Pictures draw_pictures(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk);
 
-/// Writes index.html, results.json, junit.xml and summary.md; returns what results.json holds.
-std::string write_report(const Results& results, const Pictures& pictures, OutputFolder& folder);
+/// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
+ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
+                           Talk& talk);
 
-void say_verdicts(const Results& results, Talk& talk);
 /// Says where the time went, and the peak memory.
 void say_stages(const Stages& stages, Talk& talk);
-
-/// 0, 1 or 4 by outcome and verdicts.
-ExitStatus status_of(const Results& results);
 
 }  // namespace plumb

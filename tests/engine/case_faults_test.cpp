@@ -505,10 +505,17 @@ TEST(CaseFaults, ABadSceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "size = [8192, 480]\nframe_rate = 10\nsupersampling = 3",
        "case.toml:61:8: scene.size = [8192, 480]: times supersampling, 3, must be at most 16384 (samples)"},
       {"frame_rate = 10", "frame_rate = 0",
-       "case.toml:62:14: scene.frame_rate = 0: must be a number greater than 0 (1/s)"},
+       "case.toml:62:14: scene.frame_rate = 0: must be a number from 0.02 to 1000 (1/s)"},
       {"frame_rate = 10", "frame_rate = 1e6",
-       "case.toml:62:14: scene.frame_rate = 1e6: gives 2e+06 frames until the end time, 2 s; at most 100000 "
+       "case.toml:62:14: scene.frame_rate = 1e6: must be a number from 0.02 to 1000 (1/s)"},
+      {"end = 2.0", "end = 15000.0",
+       "case.toml:62:14: scene.frame_rate = 10: gives 1.5e+05 frames until the end time, 15000 s; at most "
+       "100000 "
        "are allowed; give a lower rate"},
+      {"size = [640, 480]", "size = [8000, 8000]",
+       "case.toml:61:8: scene.size = [8000, 8000]: times supersampling, 2, is 2.56e+08 samples; at most "
+       "1e+08 are "
+       "allowed"},
       {"supersampling = 2", "supersampling = 0",
        "case.toml:63:17: scene.supersampling = 0: must be a whole number from 1 to 4"},
       {"supersampling = 2", "supersampling = 5",

@@ -38,6 +38,16 @@ TEST(Energy, GeneralizedAlphaLosesWhatItsDampingTakes) {
   }
 }
 
+TEST(Energy, DriftOfAStartFromRestIsHeldAgainstTheGreatestKineticEnergy) {
+  Trajectory trajectory;
+  trajectory.energies = {{.kinetic = 0, .potential = 0}, {.kinetic = 2, .potential = -1.5}};
+  EXPECT_DOUBLE_EQ(trajectory.energy_drift(), 0.5);
+  EXPECT_DOUBLE_EQ(trajectory.relative_energy_drift(), 0.25);
+  trajectory.energies[1].kinetic = std::nan("");
+  EXPECT_EQ(trajectory.relative_energy_drift(), -1) << "what cannot be told is not 0";
+  EXPECT_EQ(Trajectory{}.relative_energy_drift(), -1);
+}
+
 TEST(Energy, PotentialEnergyFallsByWeightTimesHeight) {
   Case spec = pendulum(5, 4);
   const Cable cable(spec);

@@ -49,7 +49,7 @@ TEST(LoadCase, ThePendulumIsReadAsTheReportStatesIt) {
   EXPECT_EQ(spec.references[0].compare,
             (std::vector<Comparison>{{"mid_y", "mid.y"}, {"tip_x", "tip.x"}, {"tip_z", "tip.z"}}));
   EXPECT_EQ(spec.references[0].tolerance, 0.035);
-  EXPECT_EQ(spec.references[1].tolerance, 0.025);
+  EXPECT_EQ(spec.references[1].tolerance, 0.021);
   ASSERT_EQ(spec.figures.size(), 2U);
   EXPECT_EQ(spec.figures[0].y, "mid.y");
   EXPECT_TRUE(spec.figures[1].equal_axes);
@@ -280,6 +280,18 @@ TEST(LoadCase, AParameterThatNothingUsesIsRemarkedOn) {
   CaseSource source = small_case();
   source.overrides = {"parameters.ff=3"};
   EXPECT_EQ(load_case(source).remarks, (std::vector<std::string>{"parameters.ff is not used"}));
+}
+
+TEST(LoadCase, ALongCommentIsNoKey) {
+  std::string comment = "#";
+  for (int i = 0; i < 200; ++i) comment += " One sentence here.";
+  CaseSource source;
+  source.file = {
+      "long.toml",
+      comment +
+          "\ntitle = \"a\"\n[cable]\nlength = 1\narea = 1e-6\ndensity = 1000\nyoungs_modulus = 1e6\n"
+          "elements = 1\n[method]\nname = \"rk4\"\nstep = 0.1\n[time]\nend = 1\noutput_interval = 1\n"};
+  EXPECT_EQ(load_case(source).spec.cable.elements, 1);
 }
 
 }  // namespace

@@ -70,6 +70,28 @@ TEST(Verdict, DistanceThatIsNotANumberFails) {
   EXPECT_EQ(verdicts(run, errors)[0].status, VerdictStatus::failed);
 }
 
+TEST(SeriesError, OfANumberThatIsNoneIsNone) {
+  plumb::Run run = run_with("a");
+  run.trajectory.q[1][7] = std::nan("");
+  const std::vector<SeriesError> errors = series_errors(run);
+  EXPECT_TRUE(std::isnan(errors[0].max));
+  EXPECT_TRUE(std::isnan(errors[0].rms));
+  EXPECT_EQ(verdicts(run, errors)[0].status, VerdictStatus::failed);
+}
+
+TEST(SeriesError, DoesNotOverflow) {
+  plumb::Run run = run_with("a");
+  run.loaded.references[0].series[0].values[2] = 1e200;
+  EXPECT_NEAR(series_errors(run)[0].rms / (1e200 / std::sqrt(3)), 1, 1e-12);
+}
+
+TEST(Verdict, SaysHowManyTimesWereInterpolated) {
+  plumb::Run run = run_with("a");
+  run.loaded.references[0].times[1] = 0.75;
+  EXPECT_EQ(verdicts(run, series_errors(run))[0].detail,
+            "over 3 of 3 times, the greatest at 0.75 s; 1 of them interpolated between outputs 0.5 s apart");
+}
+
 TEST(Verdict, OnlyPublishedFiguresValidate) {
   plumb::Run run = run_with("a");
   EXPECT_EQ(verdicts(run, series_errors(run))[0].kind, VerdictKind::validation);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
-#include "engine/errors.h"
 #include "tests/report/made_run.h"
 #include "tests/report/program.h"
 
@@ -58,25 +57,6 @@ TEST(RunFile, HasAUnitOnEveryDataSet) {
     EXPECT_GT(H5Aexists(set, "unit"), 0) << name;
   });
   EXPECT_GT(sets, 25);
-}
-
-TEST(RunFile, OfALaterVersionIsRefused) {
-  const TemporaryFolder folder;
-  write_text(folder / "run.h5", encode_run(run_with("a")));
-  const hid_t file = H5Fopen((folder / "run.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const hid_t set = H5Dopen2(file, "format_version", H5P_DEFAULT);
-  const long later = run_file_version + 1;
-  H5Dwrite(set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, &later);
-  H5Dclose(set);
-  H5Fclose(file);
-  try {
-    read_run((folder / "run.h5").string());
-    FAIL() << "it was read";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("its format version is 2, this program reads up to 1"),
-              std::string::npos)
-        << error.what();
-  }
 }
 
 }  // namespace
