@@ -61,7 +61,9 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     verdict.limit = use.tolerance;
     verdict.unit = error.unit;
     verdict.reason = use.reason;
-    if (error.missed == 0 && error.times.empty()) {
+    if (const std::string other = difference(reference.cable, run.loaded.spec.cable); !other.empty()) {
+      verdict.detail = "the reference is for another cable: " + other;
+    } else if (error.missed == 0 && error.times.empty()) {
       verdict.detail = fmt::format("no time of the reference is within the run, which ends at {:.4g} s",
                                    run.loaded.spec.time.end);
     } else if (error.missed > 0) {

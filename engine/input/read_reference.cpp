@@ -80,6 +80,16 @@ void read_rows(const TableReader& file, const std::vector<TomlValue>& rows,
   }
 }
 
+ReferenceCable read_cable_of(TableReader table) {
+  ReferenceCable cable;
+  cable.length = table.optional_number("length", Range::positive("m"));
+  cable.axial_stiffness = table.optional_number("axial_stiffness", Range::positive("N"));
+  cable.bending_stiffness = table.optional_number("bending_stiffness", Range::positive("N m²"));
+  cable.mass_per_length = table.optional_number("mass_per_length", Range::positive("kg/m"));
+  table.finish();
+  return cable;
+}
+
 }  // namespace
 
 template <>
@@ -98,6 +108,7 @@ Reference read_reference(const NamedText& text) {
   reference.obtained = file.prose("obtained", "how the numbers came from the source");
   reference.notes = file.proses("notes");
   file.choice("time_unit", {"s"}, false);
+  reference.cable = read_cable_of(file.table("cable"));
   const std::vector<TableReader> series = file.tables("series");
   if (!file.has("series")) file.list("series", "a list of tables [[series]], one a column");
   const std::vector<TomlValue>& columns = file.list("columns", "the list of the columns' names, \"t\" first");

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/input/case.h"
 
 namespace plumb {
 
@@ -22,6 +25,14 @@ struct ReferenceSeries {
   std::vector<double> values;     ///< one a time
 };
 
+/// The cable that figures are of. What is not stated may be any.
+struct ReferenceCable {
+  std::optional<double> length;             ///< L, m
+  std::optional<double> axial_stiffness;    ///< EA, N
+  std::optional<double> bending_stiffness;  ///< EI, N m²
+  std::optional<double> mass_per_length;    ///< ρA, kg/m
+};
+
 /// A reference file, checked: series over common times, each with source, figure, unit, how obtained and
 /// uncertainty.
 struct Reference {
@@ -30,11 +41,16 @@ struct Reference {
   std::string source;    ///< the publication or program
   std::string obtained;  ///< how the numbers came from the source
   std::vector<std::string> notes;
+  ReferenceCable cable;
   std::vector<double> times;  ///< s, strictly increasing, ≥ 0
   std::vector<ReferenceSeries> series;
 
   /// The series of that name, or nullptr.
   const ReferenceSeries* find(std::string_view name) const;
 };
+
+/// Where a cable is not the one of the reference, to a millionth: "EA is 62.5 N, that of the reference 40 N".
+/// Nothing where they agree or nothing is stated.
+std::string difference(const ReferenceCable& reference, const CableSpec& cable);
 
 }  // namespace plumb

@@ -138,6 +138,19 @@ TEST(ReferenceFaults, AReferenceWithABadTableIsRefusedWithItsPlaceAndWhatIsAllow
   });
 }
 
+TEST(ReferenceFaults, ABadCableOfAReferenceIsRefusedWithItsPlaceAndWhatIsAllowed) {
+  const std::string last = "uncertainty_basis = \"last digit\"", table = last + "\n[cable]\n";
+  expect_refused({
+      {last, table + "length = -1",
+       "small_reference.toml:27:10: cable.length = -1: must be a number greater than 0 (m)"},
+      {last, table + "axial_stiffness = \"1\"",
+       "small_reference.toml:27:19: cable.axial_stiffness = \"1\": must be a number greater than 0 (N), "
+       "found a string"},
+      {last, table + "lenght = 1",
+       "small_reference.toml:27:1: cable.lenght = 1: unknown key; did you mean \"length\"?"},
+  });
+}
+
 TEST(ReferenceFaults, AReferenceInAnotherUnitIsRefusedWithItsPlaceAndWhatIsAllowed) {
   expect_refused({
       {"unit = \"m\"", "unit = \"mm\"",

@@ -49,6 +49,15 @@ TEST(Program, CriterionThatIsNotMetEndsWithOneAndSaysByHowMuch) {
   EXPECT_NE(read_text(folder / "output/pendulum/junit.xml").find("failures=\"3\""), std::string::npos);
 }
 
+TEST(Program, AnotherCableIsNotValidatedByThePublishedFigures) {
+  const TemporaryFolder folder;
+  const Ended ended =
+      plumb_in(folder.path(), with_quick({"run", case_path("pendulum.toml"), "--set", "parameters.f=4"}));
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_EQ(ended.out.find("passed"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("another cable: EA is 62.5 N"), std::string::npos) << ended.out;
+}
+
 TEST(Program, SolverThatFailsEndsWithFourAndKeepsWhatItHad) {
   const TemporaryFolder folder;
   const Ended ended = plumb_in(folder.path(), {"run", case_path("pendulum.toml"), "--set", "method.name=rk4",

@@ -92,6 +92,18 @@ TEST(Verdict, SaysHowManyTimesWereInterpolated) {
             "over 3 of 3 times, the greatest at 0.75 s; 1 of them interpolated between outputs 0.5 s apart");
 }
 
+TEST(Verdict, RunOfAnotherCableIsNotHeldAgainstAReference) {
+  plumb::Run run = run_with("a");
+  run.loaded.references[0].cable = {
+      .length = 2, .axial_stiffness = 1, .bending_stiffness = {}, .mass_per_length = 1e-3};
+  EXPECT_EQ(verdicts(run, series_errors(run))[0].status, VerdictStatus::passed);
+  run.loaded.references[0].cable.axial_stiffness = 1.00001;
+  const std::vector<Verdict> found = verdicts(run, series_errors(run));
+  EXPECT_EQ(found[0].status, VerdictStatus::not_run);
+  EXPECT_EQ(found[0].detail,
+            "the reference is for another cable: EA is 1 N, that of the reference 1.00001 N");
+}
+
 TEST(Verdict, OnlyPublishedFiguresValidate) {
   plumb::Run run = run_with("a");
   EXPECT_EQ(verdicts(run, series_errors(run))[0].kind, VerdictKind::validation);
