@@ -29,21 +29,32 @@ std::string headline(const Results& results) {
   if (!results.solved())
     return fmt::format("The integration did not finish ({}): {}.", word(trajectory.outcome),
                        trajectory.message);
-  const auto met = std::count_if(results.verdicts.begin(), results.verdicts.end(),
-                                 [](const Verdict& v) { return v.status == VerdictStatus::passed; });
-  const auto count = std::ssize(results.verdicts), missed = count - met;
-  std::string text = count == 0 ? "The case names no criterion, so nothing is claimed"
-                     : missed == 0
-                         ? fmt::format("{} met", count == 1 ? "The one criterion is"
-                                                            : fmt::format("All {} criteria are", count))
-                         : fmt::format("{} of {} {} not met", missed, counted(count, "criterion", "criteria"),
-                                       missed == 1 ? "is" : "are");
+  const auto count_of = [&](VerdictStatus status) {
+    return std::count_if(results.verdicts.begin(), results.verdicts.end(),
+                         [&](const Verdict& v) { return v.status == status; });
+  };
+  const auto all = std::ssize(results.verdicts), failed = count_of(VerdictStatus::failed),
+             not_run = count_of(VerdictStatus::not_run);
+  std::string text;
+  if (all == 0)
+    text = "The case names no criterion, so nothing is claimed";
+  else if (failed + not_run == 0)
+    text = all == 1 ? "The one criterion is met" : fmt::format("All {} criteria are met", all);
+  else if (not_run == 0)
+    text = fmt::format("{} of {} not met", failed, counted(all, "criterion", "criteria"));
+  else
+    text = fmt::format("Of {}, {} not met and {} not evaluated", counted(all, "criterion", "criteria"),
+                       failed, not_run);
+
   const Run& run = results.run;
   std::string distances;
   for (std::size_t r = 0; r < run.loaded.references.size(); ++r) {
     const SeriesError* worst = nullptr;
-    for (const SeriesError& error : results.errors)
-      if (error.reference == r && !error.times.empty() && (!worst || error.max > worst->max)) worst = &error;
+    for (std::size_t k = 0; k < results.errors.size(); ++k) {
+      const SeriesError& error = results.errors[k];
+      if (error.reference != r || results.verdicts[k].status == VerdictStatus::not_run) continue;
+      if (!worst || !(error.max <= worst->max)) worst = &error;
+    }
     if (!worst) continue;
     distances += fmt::format(
         "{} {:.3g} {} from the {} figures (at {} of {} times)", distances.empty() ? "" : " and", worst->max,

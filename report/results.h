@@ -17,8 +17,8 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;
-  Stages stages;  ///< those before the report itself
+  std::vector<Verdict> verdicts;  ///< one for each of `errors`
+  Stages stages;                  ///< those before the report itself
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };

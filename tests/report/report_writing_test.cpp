@@ -111,6 +111,22 @@ TEST(Verdict, OnlyPublishedFiguresValidate) {
   EXPECT_EQ(verdicts(run, series_errors(run))[0].kind, VerdictKind::verification);
 }
 
+TEST(Headline, ClaimsOnlyWhatWasEvaluated) {
+  plumb::Run run = run_with("a");
+  EXPECT_EQ(headline(evaluate(run, {})),
+            "The one criterion is met: the run with 1 element is at most 0.1 m from the published figures "
+            "(at 3 of 3 times).");
+  run.loaded.spec.references[0].tolerance = 0.05;
+  EXPECT_EQ(headline(evaluate(run, {})),
+            "1 of 1 criterion not met: the run with 1 element is at most 0.1 m from the published figures "
+            "(at 3 of 3 times).");
+  run.loaded.references[0].cable.length = 3;
+  EXPECT_EQ(headline(evaluate(run, {})), "Of 1 criterion, 0 not met and 1 not evaluated.");
+  run.trajectory.outcome = Outcome::diverged;
+  run.trajectory.message = "it broke";
+  EXPECT_EQ(headline(evaluate(run, {})), "The integration did not finish (diverged): it broke.");
+}
+
 TEST(Page, EscapesWhatTheCaseSays) {
   const plumb::Run run = run_with(R"(<script>alert('x')</script> & \"quotes\")");
   const std::string page = to_page(evaluate(run, {}), {});
