@@ -61,8 +61,13 @@ MethodSpec read_method(TableReader table, const TimeSpec& time) {
     return method;
   }
   method.name = info->name;
-  if (info->takes_step) method.step = table.number("step", Range::positive("s"));
-  if (info->takes_tolerances) {
+  const bool either = info->takes_step && info->takes_tolerances;
+  const bool has_tolerances = table.has("rtol") | table.has("atol");
+  if (either && has_tolerances && table.has("step"))
+    table.refuse_value("step", fmt::format("{} takes either step or rtol and atol, not both", info->name));
+  if (info->takes_step && !(either && has_tolerances))
+    method.step = table.number("step", Range::positive("s"));
+  if (info->takes_tolerances && !method.step) {
     method.rtol = table.number("rtol", tolerance, default_rtol);
     method.atol = table.number("atol", Range::positive("m, m/s, 1, 1/s alike"), *method.rtol);
   }

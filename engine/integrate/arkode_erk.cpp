@@ -70,6 +70,9 @@ MethodEntry arkode_erk_entry() {
   info.summary = "SUNDIALS ARKODE: embedded explicit Runge-Kutta pairs with controlled step";
   info.source = "Reynolds et al. 2023; Fehlberg 1968 for order 8";
   info.order = "2 to 8";
+  info.conserves = "momentum";
+  info.use = "soft, coarse cables, and references";
+  info.family = MethodFamily::explicit_one_step;
   info.takes_tolerances = true;
   info.parameters = {{.name = "order",
                       .meaning = "2 Heun-Euler, 3 Bogacki-Shampine, 4 Zonneveld, 5 Dormand-Prince, 6 Verner, "

@@ -75,6 +75,9 @@ MethodEntry cvode_bdf_entry() {
   info.summary = "SUNDIALS CVODE: backward differentiation with controlled order and step";
   info.source = "Hindmarsh et al. 2005";
   info.order = "1 to 5";
+  info.conserves = "momentum";
+  info.use = "stiff or fine cables whose fast axial motion may be damped";
+  info.family = MethodFamily::multistep;
   info.implicit = true;
   info.takes_tolerances = true;
   info.parameters = {{.name = "max_order",

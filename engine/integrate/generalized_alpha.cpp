@@ -83,6 +83,9 @@ MethodEntry generalized_alpha_entry() {
   info.summary = "structural integrator with a chosen damping of high frequencies";
   info.source = "Chung and Hulbert 1993; Kuhl and Crisfield 1999";
   info.order = "2";
+  info.conserves = "momentum";
+  info.use = "stiff or fine cables, with a chosen damping";
+  info.family = MethodFamily::structural;
   info.implicit = true;
   info.takes_step = true;
   info.parameters = newton_parameters();

@@ -35,6 +35,9 @@ MethodEntry linearly_implicit_euler_entry() {
   info.summary = "implicit Euler with one Newton step from the old state, as in the published run";
   info.source = "Hairer and Wanner 1996, section IV.9";
   info.order = "1";
+  info.conserves = "momentum";
+  info.use = "to repeat the published series; damps strongly and never complains";
+  info.family = MethodFamily::structural;
   info.implicit = true;
   info.takes_step = true;
   return {info,

@@ -17,15 +17,32 @@ struct MethodParameter {
   bool whole = false;  ///< whole numbers only
 };
 
+/// Methods that are alike in how they work, and so in when they serve.
+enum class MethodFamily {
+  explicit_one_step,  ///< Runge-Kutta, Nyström, Verlet: no equations to solve
+  structural,         ///< one implicit stage with the tangent: Newmark and its kin
+  implicit_stages,    ///< several implicit stages a step, of high order
+  multistep,          ///< uses earlier steps: Adams, backward differentiation
+  constrained,        ///< carries the supports as constraints with multipliers
+};
+
+/// "explicit", "structural", "implicit stages", "multistep", "constrained".
+std::string_view word(MethodFamily);
+
 /// What a method is and takes: the same words serve the case reader, `plumb doctor` and the report.
 struct MethodInfo {
-  std::string name;     ///< as in the case file
-  std::string summary;  ///< one line
-  std::string source;   ///< paper or library
-  std::string order;    ///< of accuracy in time: "2", "1 to 5"
+  std::string name;       ///< as in the case file
+  std::string summary;    ///< one line
+  std::string source;     ///< paper or library
+  std::string order;      ///< of accuracy in time: "2", "1 to 5"
+  std::string conserves;  ///< of what a free, undamped cable keeps: "momentum", "energy and momentum"
+  std::string use;        ///< when to choose it, one phrase
+  MethodFamily family = MethodFamily::explicit_one_step;
   bool implicit = false;
-  bool takes_step = false;        ///< [method] step, required
-  bool takes_tolerances = false;  ///< [method] rtol and atol
+  /// Which of [method] step and rtol/atol it takes. A method that takes both is given one: a step is kept, a
+  /// tolerance makes the method choose its steps.
+  bool takes_step = false;
+  bool takes_tolerances = false;
   std::vector<MethodParameter> parameters;
 };
 

@@ -31,6 +31,22 @@ std::span<const MethodInfo> method_infos() {
   return infos;
 }
 
+std::string_view word(MethodFamily family) {
+  switch (family) {
+    case MethodFamily::explicit_one_step:
+      return "explicit";
+    case MethodFamily::structural:
+      return "structural";
+    case MethodFamily::implicit_stages:
+      return "implicit stages";
+    case MethodFamily::multistep:
+      return "multistep";
+    case MethodFamily::constrained:
+      return "constrained";
+  }
+  return "";
+}
+
 const MethodInfo* find_method(std::string_view name) {
   for (const MethodInfo& info : method_infos())
     if (info.name == name) return &info;

@@ -1,9 +1,17 @@
 #include "engine/integrate/trajectory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plumb {
+
+std::span<const Outcome> outcomes() {
+  static constexpr std::array all{Outcome::not_run,    Outcome::completed,      Outcome::unstable,
+                                  Outcome::diverged,   Outcome::no_convergence, Outcome::singular,
+                                  Outcome::out_of_time};
+  return all;
+}
 
 std::string_view word(Outcome outcome) {
   switch (outcome) {
@@ -19,6 +27,8 @@ std::string_view word(Outcome outcome) {
       return "no-convergence";
     case Outcome::singular:
       return "singular";
+    case Outcome::out_of_time:
+      return "out-of-time";
   }
   return "not-run";
 }

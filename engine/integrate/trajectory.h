@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +16,13 @@ enum class Outcome {
   diverged,        ///< the state is not finite
   no_convergence,  ///< Newton's iteration or the library's solver gave up
   singular,        ///< the slope of an element collapsed, or the matrix is singular
+  out_of_time,     ///< the time that was allowed for the run is over
 };
 
-/// "not-run", "completed", "unstable", "diverged", "no-convergence", "singular".
+/// Every outcome, in the order above.
+std::span<const Outcome> outcomes();
+
+/// "not-run", "completed", "unstable", "diverged", "no-convergence", "singular", "out-of-time".
 std::string_view word(Outcome);
 
 /// What an integration cost. -1: not counted, or not run.

@@ -50,8 +50,7 @@ const std::pair<const char*, long Counters::*> counter_parts[] = {
     {"counters/newton_iterations", &Counters::newton_iterations}};
 
 Outcome outcome_of(const std::string& name) {
-  for (const Outcome outcome : {Outcome::not_run, Outcome::completed, Outcome::unstable, Outcome::diverged,
-                                Outcome::no_convergence, Outcome::singular})
+  for (const Outcome outcome : outcomes())
     if (word(outcome) == name) return outcome;
   throw std::runtime_error("the outcome '" + name + "' is unknown");
 }

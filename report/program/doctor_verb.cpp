@@ -14,15 +14,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string keys_of(const MethodInfo& method) {
-  std::string keys = method.takes_step ? "step" : "rtol, atol";
+  std::string keys = !method.takes_tolerances ? "step"
+                     : method.takes_step      ? "step, or rtol and atol"
+                                              : "rtol, atol";
   for (const MethodParameter& p : method.parameters)
     keys += fmt::format("; {} in [{:g}, {:g}], default {:g}", p.name, p.minimum, p.maximum, p.fallback);
   return keys;
 }
 
 Json method_json(const MethodInfo& method) {
-  return {{"name", method.name},       {"order", method.order},   {"implicit", method.implicit},
-          {"summary", method.summary}, {"source", method.source}, {"keys", keys_of(method)}};
+  return {{"name", method.name},         {"order", method.order},         {"family", word(method.family)},
+          {"implicit", method.implicit}, {"conserves", method.conserves}, {"use", method.use},
+          {"summary", method.summary},   {"source", method.source},       {"keys", keys_of(method)}};
 }
 
 }  // namespace
@@ -37,9 +40,11 @@ ExitStatus doctor_verb(const Options& options, Talk& talk) {
                         gl.max_size, gl.max_samples));
   talk.line("Program");
   for (const auto& [name, value] : provenance) talk.line(fmt::format("  {:<22}{}", name, value));
-  talk.line("Methods: order, what they are, and the keys of [method] they take");
+  talk.line("Methods: order, kind, what they conserve, when to use them, and the keys of [method] they take");
   for (const MethodInfo& method : method_infos()) {
-    talk.line(fmt::format("  {:<25}{:<8}{}", method.name, method.order, method.summary));
+    talk.line(
+        fmt::format("  {:<25}{:<8}{:<17}{}", method.name, method.order, word(method.family), method.summary));
+    talk.line(fmt::format("  {:<33}conserves {}; {}", "", method.conserves, method.use));
     talk.line(talk.faint(fmt::format("  {:<33}{}", "", keys_of(method))));
   }
   if (options.json) {
