@@ -16,8 +16,8 @@ struct ErrorNorms {
 };
 
 enum class ErrorNorm { tip_max, tip_rms, curve, energy };
-inline constexpr std::array error_norms{ErrorNorm::tip_max, ErrorNorm::tip_rms, ErrorNorm::curve,
-                                        ErrorNorm::energy};
+inline constexpr std::array error_norm_list{ErrorNorm::tip_max, ErrorNorm::tip_rms, ErrorNorm::curve,
+                                            ErrorNorm::energy};
 
 /// "tip-max", "tip-rms", "curve", "energy".
 std::string_view word(ErrorNorm);

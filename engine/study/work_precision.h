@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/input/case.h"
 #include "engine/integrate/method_info.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/output/provenance.h"
