@@ -1,6 +1,7 @@
 // Built once for each instruction set; PLUMB_KERNELS names the table that this build defines.
 #include "engine/kernels/block_factors.h"
 #include "engine/kernels/chain.h"
+#include "engine/kernels/mass_band.h"
 
 namespace plumb::kernels {
 namespace {
@@ -32,6 +33,7 @@ void system(const ElementConstants& element, double mass_factor, double stiffnes
 }  // namespace
 
 extern const Kernels PLUMB_KERNELS;
-const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET, force, energy, system, factor, solve};
+const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET, force,         energy, system, factor, solve, mass_solve,
+                            mass_multiply,         kinetic_energy};
 
 }  // namespace plumb::kernels

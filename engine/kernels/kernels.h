@@ -14,6 +14,14 @@ struct ElementConstants {
   bool full = true;              ///< full quadrature, else reduced
 };
 
+/// A node's part in the L D Lᵀ of the scalar mass matrix, eliminated from both ends towards the node in the
+/// middle: the 2 by 2 multipliers of (r, g) of the node in the rows of its neighbour towards the middle, and
+/// the inverse of the node's block of D. Coordinates that a support holds have zeros.
+struct MassFactor {
+  double rr = 0, rg = 0, gr = 0, gg = 0;  ///< first letter: row of the neighbour; second: of the node
+  double inverse_rr = 0, inverse_rg = 0, inverse_gg = 0;
+};
+
 /// A node's block column of a symmetric block tridiagonal matrix: six columns of twelve numbers, the upper
 /// six the diagonal block, the lower six the block below it.
 inline constexpr int block_column_size = 72;
@@ -44,6 +52,15 @@ struct Kernels {
 
   /// x := A⁻¹ x with the factors of A.
   void (*solve)(int nodes, const double* block_columns, double* x);
+
+  /// x := M⁻¹ x with the factors of M.
+  void (*mass_solve)(int nodes, const MassFactor* factors, double* x);
+
+  /// y := M v, without supports.
+  void (*mass_multiply)(const ElementConstants& element, int elements, const double* v, double* y);
+
+  /// ½ vᵀ M v, J.
+  double (*kinetic_energy)(const ElementConstants& element, int elements, const double* v);
 };
 
 /// Those for this processor.
