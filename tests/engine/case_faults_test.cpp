@@ -361,7 +361,9 @@ TEST(CaseFaults, ABadMethodIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"newton_iterations = 15", "newton_iterations = 0",
        "case.toml:27:21: method.newton_iterations = 0: must be a whole number from 1 to 100"},
       {"newton_iterations = 15", "rtol = 1e-6",
-       "case.toml:27:1: method.rtol = 1e-6: not a key of generalized-alpha, which takes: …"},
+       "case.toml:25:8: method.step = 1e-3: generalized-alpha takes either step or rtol and atol, not both"},
+      {"newton_iterations = 15", "atol = 1e-6",
+       "case.toml:25:8: method.step = 1e-3: generalized-alpha takes either step or rtol and atol, not both"},
       {"newton_iterations = 15", "max_order = 3",
        "case.toml:27:1: method.max_order = 3: not a key of generalized-alpha, which takes: …"},
   });
