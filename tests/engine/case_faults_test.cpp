@@ -101,7 +101,6 @@ TEST(CaseFaults, AMissingKeyIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"elements = 4\n", "",
        "case.toml:5:1: cable.elements: missing; required: a whole number from 1 to 1000000"},
       {"name = \"generalized-alpha\"\n", "", "case.toml:23:1: method.name: missing; required: …"},
-      {"step = 1e-3\n", "", "case.toml:23:1: method.step: missing; required: a number greater than 0 (s)"},
       {"end = 2.0\n", "", "case.toml:28:1: time.end: missing; required: a number greater than 0 (s)"},
       {"output_interval = 0.5\n", "",
        "case.toml:28:1: time.output_interval: missing; required: a number greater than 0 (s)"},
