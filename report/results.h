@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/output/run.h"
+#include "engine/study/study_file.h"
 #include "report/series_error.h"
 #include "report/stages.h"
 #include "report/verdict.h"
@@ -19,12 +20,13 @@ struct Results {
   std::vector<SeriesError> errors;
   std::vector<Verdict> verdicts;  ///< one for each of `errors`
   Stages stages;                  ///< those before the report itself
+  const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };
 
 /// Compares a run with its references.
-Results evaluate(const Run& run, const Stages& stages);
+Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr);
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
@@ -40,6 +42,9 @@ std::string to_json(const Results& results);
 
 /// junit.xml: a suite for the integration and one for each kind of verdict, a test case a criterion.
 std::string to_junit(const Results& results);
+
+/// The verdicts as a table in Markdown, failures first, of bounded length.
+std::string verdict_table(const std::vector<Verdict>& verdicts);
 
 /// summary.md, for a CI page; below 64 KiB.
 std::string to_summary(const Results& results);
