@@ -13,8 +13,8 @@ namespace {
                    : ((element).full ? function<false, true>(element, __VA_ARGS__)  \
                                      : function<false, false>(element, __VA_ARGS__)))
 
-int force(const ElementConstants& element, int elements, const double* q, const double* base, double* f) {
-  return PLUMB_CHOOSE(chain_force, element, elements, q, base, f);
+int force(const ElementConstants& element, int elements, const double* q, double* f) {
+  return PLUMB_CHOOSE(chain_force, element, elements, q, f);
 }
 
 void energy(const ElementConstants& element, int elements, const double* q, double* axial, double* bending) {

@@ -37,11 +37,11 @@ PLUMB_INLINE Nodes load_nodes(const double* q, const Offsets& offsets) {
 /// of `before` holds what belongs to the first node from the element before it, and takes what belongs to the
 /// node after the last element.
 PLUMB_INLINE void store_shared(const Lanes* left, const Lanes* right, int first, int count, Lanes* before,
-                               double* to, int stride, const double* base) {
+                               double* to, int stride) {
   if (count == lanes) {
     for (int k = first; k < per_node; k += 2) {
       store_pair(to + k, stride, left[k] + moved_up(right[k], before[k]),
-                 left[k + 1] + moved_up(right[k + 1], before[k + 1]), base == nullptr ? base : base + k);
+                 left[k + 1] + moved_up(right[k + 1], before[k + 1]));
       before[k] = right[k];
       before[k + 1] = right[k + 1];
     }
@@ -50,9 +50,7 @@ PLUMB_INLINE void store_shared(const Lanes* left, const Lanes* right, int first,
   for (int k = first; k < per_node; ++k) {
     double carry = before[k][lanes - 1];
     for (int lane = 0; lane < count; ++lane) {
-      const int at = lane * stride + k;
-      const double sum = left[k][lane] + carry;
-      to[at] = base == nullptr ? sum : sum + base[at];
+      to[lane * stride + k] = left[k][lane] + carry;
       carry = right[k][lane];
     }
     before[k] = all(carry);
@@ -80,8 +78,7 @@ PLUMB_INLINE int first_unsound(const Mask& sound, int count) {
 }
 
 template <bool green, bool full>
-int chain_force(const ElementConstants& element, int elements, const double* q, const double* base,
-                double* f) {
+int chain_force(const ElementConstants& element, int elements, const double* q, double* f) {
   Lanes before[per_node] = {};
   int unsound = -1;
   const auto add = [&](int e, int count) __attribute__((always_inline)) {
@@ -93,13 +90,12 @@ int chain_force(const ElementConstants& element, int elements, const double* q, 
     }
     const Lanes left[per_node] = {o.r0.x, o.r0.y, o.r0.z, o.g0.x, o.g0.y, o.g0.z};
     const Lanes right[per_node] = {o.r1.x, o.r1.y, o.r1.z, o.g1.x, o.g1.y, o.g1.z};
-    store_shared(left, right, 0, count, before, f + per_node * e, per_node, base + per_node * e);
+    store_shared(left, right, 0, count, before, f + per_node * e, per_node);
   };
   int e = 0;
   for (; e + lanes <= elements; e += lanes) add(e, lanes);
   if (e < elements) add(e, elements - e);
-  for (int k = 0; k < per_node; ++k)
-    f[per_node * elements + k] = base[per_node * elements + k] + before[k][lanes - 1];
+  for (int k = 0; k < per_node; ++k) f[per_node * elements + k] = before[k][lanes - 1];
   return unsound;
 }
 
@@ -173,7 +169,7 @@ void chain_system(const ElementConstants& element, int elements, const double* q
       const int first =
           column / 2 * 2;  // the rows above the diagonal are not wanted, but for what makes a pair
       store_shared(left + per_node * column, right + per_node * column, first, count,
-                   before + per_node * column, to + rows * column, block_column_size, nullptr);
+                   before + per_node * column, to + rows * column, block_column_size);
       store_own(below + per_node * column, count, to + rows * column + per_node, block_column_size);
     }
   };

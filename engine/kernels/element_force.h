@@ -5,7 +5,7 @@
 namespace plumb::kernels {
 namespace {
 
-/// −∂U/∂q of four elements, and whether the slope is above its floor at every integration point.
+/// Weight − ∂U/∂q of four elements, and whether the slope is above its floor at every integration point.
 struct Forces {
   Lanes3 r0, g0, r1, g1;
   Mask sound;
@@ -55,7 +55,11 @@ PLUMB_INLINE Forces element_force(const ElementConstants& c, const Nodes& nodes)
   const Lanes3 du = t.m2 * s.e + t.m3 * s.o + t.m4 * s.u + cross(b, s.e) + cross(m, s.o);
 
   const Lanes3 pull = (1.5 / c.length) * (de - du), even = 0.25 * de - 0.75 * du, odd = 0.5 * dd;
-  return {pull, even + odd, (-1.0) * pull, even - odd, sound};
+  // ∫ ρA sᵢ dx: half of the weight at either end, and ± a twelfth times l for the slopes.
+  const double half = 0.5 * c.mass_per_length * c.length, twelfth = half * c.length / 6;
+  const Lanes3 weight{all(half * c.gravity[0]), all(half * c.gravity[1]), all(half * c.gravity[2])};
+  const Lanes3 turn{all(twelfth * c.gravity[0]), all(twelfth * c.gravity[1]), all(twelfth * c.gravity[2])};
+  return {weight + pull, even + odd + turn, weight - pull, even - odd - turn, sound};
 }
 
 template <bool green, bool full>

@@ -6,20 +6,31 @@ namespace plumb {
 
 /// What the elements of a chain have in common.
 struct ElementConstants {
-  double axial_stiffness = 0;    ///< EA, N, ≥ 0
-  double bending_stiffness = 0;  ///< EI, N m², ≥ 0
-  double length = 0;             ///< l, m, > 0
-  double mass_per_length = 0;    ///< ρA, kg/m, ≥ 0
-  bool green = true;             ///< green-geometric, else engineering-material
-  bool full = true;              ///< full quadrature, else reduced
+  double axial_stiffness = 0;     ///< EA, N, ≥ 0
+  double bending_stiffness = 0;   ///< EI, N m², ≥ 0
+  double length = 0;              ///< l, m, > 0
+  double mass_per_length = 0;     ///< ρA, kg/m, ≥ 0
+  double gravity[3] = {0, 0, 0};  ///< m/s²
+  bool green = true;              ///< green-geometric, else engineering-material
+  bool full = true;               ///< full quadrature, else reduced
 };
 
-/// A node's part in the L D Lᵀ of the scalar mass matrix, eliminated from both ends towards the node in the
-/// middle: the 2 by 2 multipliers of (r, g) of the node in the rows of its neighbour towards the middle, and
-/// the inverse of the node's block of D. Coordinates that a support holds have zeros.
+/// A node's part in the L D Lᵀ of the scalar mass matrix: the 2 by 2 multipliers of (r, g) of the node in the
+/// rows of its neighbour towards the middle, and the inverse of the node's block of D. Coordinates that a
+/// support holds have zeros.
 struct MassFactor {
   double rr = 0, rg = 0, gr = 0, gg = 0;  ///< first letter: row of the neighbour; second: of the node
   double inverse_rr = 0, inverse_rg = 0, inverse_gg = 0;
+};
+
+/// The L D Lᵀ of the mass matrix, eliminated from both ends towards the node in the middle. All elements are
+/// equal, so that from either end the factors settle after some thirty nodes: the last one of a list is that
+/// of all nodes from there to the middle.
+struct MassFactors {
+  const MassFactor* from_left;      ///< of the first nodes
+  const MassFactor* from_right;     ///< of the last nodes, the very last first
+  int settled_left, settled_right;  ///< lengths of the lists, > 0
+  MassFactor middle;
 };
 
 /// A node's block column of a symmetric block tridiagonal matrix: six columns of twelve numbers, the upper
@@ -33,9 +44,9 @@ inline constexpr int block_column_size = 72;
 struct Kernels {
   std::string_view instruction_set;  ///< "plain", "x86-64-v3"
 
-  /// f := base − ∂U/∂q of all elements. Returns the first element with a slope at or below slope_floor, or
+  /// f := weight − ∂U/∂q of all elements. Returns the first element with a slope at or below slope_floor, or
   /// not a number, at an integration point, where the force is not to be used; -1 if all is well.
-  int (*force)(const ElementConstants& element, int elements, const double* q, const double* base, double* f);
+  int (*force)(const ElementConstants& element, int elements, const double* q, double* f);
 
   /// Strain energies of stretching and bending of all elements, J.
   void (*energy)(const ElementConstants& element, int elements, const double* q, double* axial,
@@ -54,7 +65,7 @@ struct Kernels {
   void (*solve)(int nodes, const double* block_columns, double* x);
 
   /// x := M⁻¹ x with the factors of M.
-  void (*mass_solve)(int nodes, const MassFactor* factors, double* x);
+  void (*mass_solve)(int nodes, const MassFactors& factors, double* x);
 
   /// y := M v, without supports.
   void (*mass_multiply)(const ElementConstants& element, int elements, const double* v, double* y);

@@ -88,19 +88,14 @@ PLUMB_INLINE LanesPair load_pair(const double* p, const int* offset) {
   return {__builtin_shufflevector(even, odd, 0, 4, 2, 6), __builtin_shufflevector(even, odd, 1, 5, 3, 7)};
 }
 
-/// Stores a number of each lane at `p[0]` and another at `p[1]`, lanes `stride` numbers apart; with `base` on
-/// top of what is there at the same places.
-PLUMB_INLINE void store_pair(double* p, int stride, Lanes first, Lanes second, const double* base = nullptr) {
+/// Stores a number of each lane at `p[0]` and another at `p[1]`, lanes `stride` numbers apart.
+PLUMB_INLINE void store_pair(double* p, int stride, Lanes first, Lanes second) {
   const Lanes even = __builtin_shufflevector(first, second, 0, 4, 2, 6);
   const Lanes odd = __builtin_shufflevector(first, second, 1, 5, 3, 7);
-  const auto store = [&](int lane, Pair value) {
-    if (base != nullptr) value += load_two(base + lane * stride);
-    store_two(p + lane * stride, value);
-  };
-  store(0, __builtin_shufflevector(even, even, 0, 1));
-  store(1, __builtin_shufflevector(odd, odd, 0, 1));
-  store(2, __builtin_shufflevector(even, even, 2, 3));
-  store(3, __builtin_shufflevector(odd, odd, 2, 3));
+  store_two(p, __builtin_shufflevector(even, even, 0, 1));
+  store_two(p + stride, __builtin_shufflevector(odd, odd, 0, 1));
+  store_two(p + 2 * stride, __builtin_shufflevector(even, even, 2, 3));
+  store_two(p + 3 * stride, __builtin_shufflevector(odd, odd, 2, 3));
 }
 
 }  // namespace

@@ -37,19 +37,26 @@ PLUMB_INLINE NodeVectors outwards(const MassFactor& f, const NodeVectors& own, c
   return {s.r - f.rr * neighbour.r - f.gr * neighbour.g, s.g - f.rg * neighbour.r - f.gg * neighbour.g};
 }
 
-void mass_solve(int nodes, const MassFactor* factors, double* x) {
+void mass_solve(int nodes, const MassFactors& factors, double* x) {
   const int middle = nodes / 2;
   const auto at = [&](int node) { return x + 6 * node; };
+  const auto of_left = [&](int node) -> const MassFactor& {
+    return factors.from_left[node < factors.settled_left ? node : factors.settled_left - 1];
+  };
+  const auto of_right = [&](int node) -> const MassFactor& {
+    const int place = nodes - 1 - node;
+    return factors.from_right[place < factors.settled_right ? place : factors.settled_right - 1];
+  };
   int left = 0, right = nodes - 1;
   NodeVectors from_left = load_node(at(left)), from_right = load_node(at(right));
   const auto step_left = [&] {
     store_node(at(left), from_left);
-    from_left = inwards(factors[left], from_left, load_node(at(left + 1)));
+    from_left = inwards(of_left(left), from_left, load_node(at(left + 1)));
     ++left;
   };
   const auto step_right = [&] {
     store_node(at(right), from_right);
-    from_right = inwards(factors[right], from_right, load_node(at(right - 1)));
+    from_right = inwards(of_right(right), from_right, load_node(at(right - 1)));
     --right;
   };
   // The chains end one node before the middle, which both take something off.
@@ -60,19 +67,19 @@ void mass_solve(int nodes, const MassFactor* factors, double* x) {
   while (left < middle - 1) step_left();
   while (right > middle + 1) step_right();
   NodeVectors center = load_node(at(middle));
-  center = inwards(factors[left], from_left, center);
-  if (middle + 1 < nodes) center = inwards(factors[right], from_right, center);
-  center = scaled(factors[middle], center);
+  center = inwards(of_left(left), from_left, center);
+  if (middle + 1 < nodes) center = inwards(of_right(right), from_right, center);
+  center = scaled(factors.middle, center);
   store_node(at(middle), center);
 
   NodeVectors to_left = center, to_right = center;
   const auto back_left = [&](const NodeVectors& own) {
-    to_left = outwards(factors[left], own, to_left);
+    to_left = outwards(of_left(left), own, to_left);
     store_node(at(left), to_left);
     --left;
   };
   const auto back_right = [&](const NodeVectors& own) {
-    to_right = outwards(factors[right], own, to_right);
+    to_right = outwards(of_right(right), own, to_right);
     store_node(at(right), to_right);
     ++right;
   };

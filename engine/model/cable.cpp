@@ -18,6 +18,7 @@ Cable::Cable(const Case& spec)
                  element_.bending_stiffness(),
                  element_.length(),
                  spec.cable.density * spec.cable.area,
+                 {gravity_.x(), gravity_.y(), gravity_.z()},
                  spec.cable.strain == StrainModel::green_geometric,
                  spec.cable.quadrature == QuadratureRule::full},
       supports_(spec.supports, spec.start.direction, spec.cable.elements + 1),
@@ -50,8 +51,7 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
 
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
   f.resize(q.size());
-  const int collapsed =
-      best_kernels().force(constants_, elements_, q.data(), gravity_force_.data(), f.data());
+  const int collapsed = best_kernels().force(constants_, elements_, q.data(), f.data());
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 

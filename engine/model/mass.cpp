@@ -1,6 +1,7 @@
 #include "engine/model/mass.h"
 
 #include <Eigen/LU>
+#include <cmath>
 
 namespace plumb {
 namespace {
@@ -15,7 +16,9 @@ MassMatrix::MassMatrix(const ElementConstants& element, int elements, const Supp
   if (ends.first == Support::clamped || ends.last == Support::clamped) along_ = factor(false);
 }
 
-std::vector<MassFactor> MassMatrix::factor(bool slopes_held) const {
+MassMatrix::Factors MassMatrix::factor(bool slopes_held) const {
+  // Factors whose multipliers differ by less have settled: they follow from one another by a contraction.
+  constexpr double settled = 1e-16;
   const double l = element_.length, unit = element_.mass_per_length * l / 420;
   // ∫ sᵢsⱼ of the Hermite functions, exact.
   const Block first = unit * Block{{156, 22 * l}, {22 * l, 4 * l * l}};
@@ -28,50 +31,55 @@ std::vector<MassFactor> MassMatrix::factor(bool slopes_held) const {
     return Eigen::Vector2d(support == Support::free ? 1 : 0,
                            support == Support::clamped && slopes_held ? 0 : 1);
   };
-  const auto coupling = [&](int to, int from) -> Block {
-    return free(to).asDiagonal() * (to > from ? below : Block(below.transpose())) * free(from).asDiagonal();
-  };
-  std::vector<Block> diagonal(static_cast<std::size_t>(nodes));
-  for (int node = 0; node < nodes; ++node) {
-    Block& block = diagonal[static_cast<std::size_t>(node)];
-    block.setZero();
+  // The rows and columns that are held are replaced by those of the identity, and their inverse by zeros.
+  const auto inverse_of = [&](int node, const Block& taken_off) -> Block {
+    const Block held = Block((Eigen::Vector2d::Ones() - free(node)).asDiagonal());
+    Block block = Block::Zero();
     if (node < elements_) block += first;
     if (node > 0) block += second;
-    block = (free(node).asDiagonal() * block * free(node).asDiagonal()).eval();
-  }
-  std::vector<MassFactor> result(diagonal.size());
-  const auto take = [&](int node) {
-    // The rows and columns that are held are replaced by those of the identity, and their inverse by zeros.
-    const Block held = Block((Eigen::Vector2d::Ones() - free(node)).asDiagonal());
-    const Block inverse = (diagonal[static_cast<std::size_t>(node)] + held).inverse() - held;
-    MassFactor& f = result[static_cast<std::size_t>(node)];
-    f.inverse_rr = inverse(0, 0);
-    f.inverse_rg = inverse(0, 1);
-    f.inverse_gg = inverse(1, 1);
-    if (node == middle) return;
-    const int towards = node < middle ? node + 1 : node - 1;
-    const Block B = coupling(towards, node), multiplier = B * inverse;
-    diagonal[static_cast<std::size_t>(towards)] -= multiplier * B.transpose();
-    f.rr = multiplier(0, 0);
-    f.rg = multiplier(0, 1);
-    f.gr = multiplier(1, 0);
-    f.gg = multiplier(1, 1);
+    return (free(node).asDiagonal() * block * free(node).asDiagonal() - taken_off + held).inverse() - held;
   };
-  for (int node = 0; node < middle; ++node) take(node);
-  for (int node = nodes - 1; node > middle; --node) take(node);
-  take(middle);
+  const auto entry = [](const Block& inverse, const Block& multiplier) {
+    return MassFactor{multiplier(0, 0), multiplier(0, 1), multiplier(1, 0), multiplier(1, 1),
+                      inverse(0, 0),    inverse(0, 1),    inverse(1, 1)};
+  };
+  // What the node at the end of a list takes off the block of its neighbour towards the middle.
+  const auto eliminate = [&](int from, int step, std::vector<MassFactor>& list) {
+    Block taken_off = Block::Zero(), before = Block::Zero();
+    for (int node = from; node != middle; node += step) {
+      const int towards = node + step;
+      const Block B = free(towards).asDiagonal() * (step > 0 ? below : Block(below.transpose())) *
+                      free(node).asDiagonal();
+      const Block inverse = inverse_of(node, taken_off), multiplier = B * inverse;
+      list.push_back(entry(inverse, multiplier));
+      taken_off = multiplier * B.transpose();
+      // The node before the middle may have a held neighbour.
+      const bool inner = node != from && towards != middle;
+      const Block change = (multiplier - before).cwiseAbs();
+      const Block scale = Block{{1, 1 / l}, {l, 1}};
+      if (inner && (change.array() <= settled * scale.array()).all() && std::abs(middle - node) > 2) break;
+      before = multiplier;
+    }
+    return taken_off;
+  };
+  Factors result;
+  Block taken_off = eliminate(0, 1, result.from_left);
+  taken_off += eliminate(nodes - 1, -1, result.from_right);
+  // The chain of one element has no right half.
+  if (result.from_right.empty()) result.from_right.emplace_back();
+  result.middle = entry(inverse_of(middle, taken_off), Block::Zero());
   return result;
 }
 
 void MassMatrix::solve(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const {
   const Kernels& k = best_kernels();
-  if (along_.empty()) {
-    k.mass_solve(elements_ + 1, across_.data(), x.data());
+  if (!along_) {
+    k.mass_solve(elements_ + 1, across_.view(), x.data());
     return;
   }
   scratch = x;
-  k.mass_solve(elements_ + 1, across_.data(), x.data());
-  k.mass_solve(elements_ + 1, along_.data(), scratch.data());
+  k.mass_solve(elements_ + 1, across_.view(), x.data());
+  k.mass_solve(elements_ + 1, along_->view(), scratch.data());
   const Vec3 d = supports_.direction();
   for (Eigen::Index i = 0; i < x.size(); i += 3) {
     auto part = x.segment<3>(i);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "engine/kernels/kernels.h"
@@ -27,14 +28,25 @@ class MassMatrix {
   double kinetic_energy(const Eigen::VectorXd& v) const;
 
  private:
+  /// Lists of factors from both ends, cut where they have settled.
+  struct Factors {
+    std::vector<MassFactor> from_left, from_right;
+    MassFactor middle;
+
+    MassFactors view() const {
+      return {from_left.data(), from_right.data(), static_cast<int>(from_left.size()),
+              static_cast<int>(from_right.size()), middle};
+    }
+  };
+
   /// `slopes_held`: clamped ends hold their slope too.
-  std::vector<MassFactor> factor(bool slopes_held) const;
+  Factors factor(bool slopes_held) const;
 
   ElementConstants element_;
   int elements_;
   SupportProjection supports_;
-  std::vector<MassFactor> across_;  // for motion across the clamped direction
-  std::vector<MassFactor> along_;   // for motion along it; empty without a clamped end
+  Factors across_;                // for motion across the clamped direction
+  std::optional<Factors> along_;  // for motion along it; only with a clamped end
 };
 
 }  // namespace plumb

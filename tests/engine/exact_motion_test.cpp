@@ -93,7 +93,8 @@ TEST_P(EveryMethod, LeavesAUniformStretchBetweenTwoPinsUniform) {
     const State start{0, 1.05 * cable.start_q(spec.start), Eigen::VectorXd::Zero(cable.size())};
     const Trajectory trajectory = integrate(cable, start, spec_of(info, 5e-4, 1e-8), {0.1, 0.05});
     ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
-    EXPECT_LE((trajectory.q.back() - start.q).lpNorm<Eigen::Infinity>(), 1e-11) << word(strain);
+    EXPECT_LE((trajectory.q.back() - start.q).lpNorm<Eigen::Infinity>(), info.takes_step ? 1e-11 : 1e-9)
+        << word(strain);
   }
 }
 

@@ -15,7 +15,7 @@ const ElementConstants element{.length = l, .mass_per_length = mass_per_length};
 const Vec3 direction = Vec3(1, 2, -1).normalized();
 
 // Odd and even numbers of nodes, and the shortest chains, whose halves are empty.
-constexpr int lengths[] = {1, 2, 3, 4, 6, 9};
+constexpr int lengths[] = {1, 2, 3, 4, 6, 9, 150};
 
 Eigen::VectorXd random_vector(int elements, unsigned seed) {
   std::mt19937 generator(seed);
