@@ -31,14 +31,29 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   }
   if (s.force_old != 0) known_ += s.force_old * old_force_;
 
-  next_a_ = a_;
   const StageEquation equation{.base = base_,
                                .reach = s.point * h2 * s.position_new,
                                .force = s.force_new,
                                .mass = s.mass_new,
                                .known = has_known ? &known_ : nullptr,
                                .position = h2 * s.position_new};
-  if (StepResult result = stage_.solve(equation, next_a_); !result.ok()) return result;
+  // Two guesses: the acceleration of the step before; and that with which q₁ is q₀ + h v₀, which is the
+  // better one where accelerations change at once, such as at a start, where those beside a support grow with
+  // the fineness of the mesh. What took many corrections is not guessed again.
+  constexpr long many = 6;
+  const auto guess = [&](bool coasting) {
+    if (coasting)
+      next_a_ = (-s.position_old / s.position_new) * a_;
+    else
+      next_a_ = a_;
+  };
+  const long before = dynamics().counters.newton_iterations;
+  guess(coasting_);
+  if (StepResult result = stage_.solve(equation, next_a_); !result.ok()) {
+    guess(!coasting_);
+    if (!stage_.solve(equation, next_a_).ok()) return result;
+  }
+  if (dynamics().counters.newton_iterations - before > many) coasting_ = !coasting_;
   to.q = from.q + h * from.v + (h2 * s.position_new) * next_a_;
   to.v = from.v + (h * s.velocity_new) * next_a_;
   if (s.position_old != 0) to.q += (h2 * s.position_old) * a_;

@@ -37,6 +37,7 @@ class StructuralMethod : public OneStepMethod {
   ImplicitStage stage_;
   Eigen::VectorXd a_, next_a_;         // x of the last step and of this one
   Eigen::VectorXd old_force_, force_;  // f(q₀) and f(q₁), where the scheme needs them
+  bool coasting_ = true;               // which guess comes first
   double h_ = 0, last_h_ = 0;          // of this step and the last, s; 0: none
   Eigen::VectorXd base_, known_;
 };
