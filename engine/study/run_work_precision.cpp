@@ -70,7 +70,7 @@ class Study {
   double target(int elements) const {
     constexpr double for_other_meshes = 1e-9, quick_target = 1e-10, round_off = 1e-13;
     if (elements != fixed_elements()) return for_other_meshes * spec_.cable.length;
-    const double share = std::max(0.1 * what_.tightest_tolerance, round_off);
+    const double share = std::max(0.01 * what_.tightest_tolerance, round_off);
     return (quick_ ? std::max(share, quick_target) : share) * spec_.cable.length;
   }
 
