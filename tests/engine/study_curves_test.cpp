@@ -12,7 +12,7 @@ namespace {
 
 std::vector<CurvePlan> all_curves(const Case& spec) {
   const WorkPrecisionSpec study = work_precision_of(spec);
-  return study_curves(study, study.full, spec.time.output_interval);
+  return study_curves(study, study.full, spec.time.output_interval, false);
 }
 
 TEST(StudyCurves, EveryMethodHasOneAtLeastAndKeepsToWhatItTakes) {

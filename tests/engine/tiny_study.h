@@ -2,7 +2,6 @@
 
 #include "engine/input/case_source.h"
 #include "engine/study/run_work_precision.h"
-#include "tests/engine/small_case.h"
 
 namespace plumb {
 
