@@ -11,12 +11,19 @@ MethodEntry rk4_entry();
 MethodEntry generalized_alpha_entry();
 MethodEntry cvode_bdf_entry();
 MethodEntry arkode_erk_entry();
+MethodEntry cvode_adams_entry();
+MethodEntry arkode_dirk_entry();
 
 namespace {
 
 const std::vector<MethodEntry>& entries() {
-  static const std::vector<MethodEntry> all{linearly_implicit_euler_entry(), rk4_entry(),
-                                            generalized_alpha_entry(), cvode_bdf_entry(), arkode_erk_entry()};
+  static const std::vector<MethodEntry> all{linearly_implicit_euler_entry(),
+                                            rk4_entry(),
+                                            generalized_alpha_entry(),
+                                            cvode_bdf_entry(),
+                                            arkode_erk_entry(),
+                                            cvode_adams_entry(),
+                                            arkode_dirk_entry()};
   return all;
 }
 
