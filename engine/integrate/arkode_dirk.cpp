@@ -51,6 +51,7 @@ class ArkodeDirk : public sundials::ArkodeMethod {
     ARKStepSetLSetupFrequency(ark, 1);
     ARKStepSetJacEvalFrequency(ark, 1);
     ARKStepSetLinearSolutionScaling(ark, SUNFALSE);
+    ARKStepSetNonlinConvCoef(ark, iteration_share);
     // A stage's rate follows from its converged equation, without another evaluation.
     ARKStepSetDeduceImplicitRhs(ark, SUNTRUE);
     ARKStepSetMaxNonlinIters(ark, static_cast<int>(spec.parameters.at("newton_iterations")));
@@ -59,7 +60,6 @@ class ArkodeDirk : public sundials::ArkodeMethod {
     } else {
       ARKStepSStolerances(ark, *spec.rtol, *spec.atol);
       ARKStepSetPredictorMethod(ark, maximum_order);
-      ARKStepSetNonlinConvCoef(ark, iteration_share);
     }
   }
 

@@ -29,6 +29,9 @@ class Dynamics {
   /// The same with the tangent that was evaluated last.
   [[nodiscard]] std::optional<int> refactor(double mass_factor, double stiffness_factor);
 
+  /// K of the last evaluation, without supports.
+  const BlockTridiagonal& tangent() const { return tangent_; }
+
   /// x := S⁻¹ x; x must be free of what the supports hold.
   void solve(Eigen::VectorXd& x) const { factors_.solve(x); }
 

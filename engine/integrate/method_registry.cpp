@@ -13,6 +13,7 @@ MethodEntry cvode_bdf_entry();
 MethodEntry arkode_erk_entry();
 MethodEntry cvode_adams_entry();
 MethodEntry arkode_dirk_entry();
+MethodEntry ida_entry();
 
 namespace {
 
@@ -23,7 +24,8 @@ const std::vector<MethodEntry>& entries() {
                                             cvode_bdf_entry(),
                                             arkode_erk_entry(),
                                             cvode_adams_entry(),
-                                            arkode_dirk_entry()};
+                                            arkode_dirk_entry(),
+                                            ida_entry()};
   return all;
 }
 
