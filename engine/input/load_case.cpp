@@ -24,6 +24,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
 
   LoadedCase loaded;
   loaded.remarks = drop_keys_of_replaced_method(written, merged);
+  for (std::string& remark : drop_replaced_step_control(merged)) loaded.remarks.push_back(std::move(remark));
   const Parameters parameters(merged.find("parameters"));
   TableReader root(merged, "", &parameters);
   root.has("parameters");

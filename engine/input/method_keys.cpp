@@ -46,4 +46,27 @@ std::vector<std::string> drop_keys_of_replaced_method(const TomlValue& file, Tom
   return remarks;
 }
 
+std::vector<std::string> drop_replaced_step_control(TomlValue& merged) {
+  const MethodInfo* info = named_method(merged);
+  if (info == nullptr || !info->takes_step || !info->takes_tolerances) return {};
+  const auto is_tolerance = [](const TomlValue& item) { return item.key == "rtol" || item.key == "atol"; };
+  auto& items = merged.find("method")->items;
+  bool new_step = false, new_tolerance = false;
+  for (const TomlValue& item : items) {
+    if (!item.place.in_override()) continue;
+    new_step |= item.key == "step";
+    new_tolerance |= is_tolerance(item);
+  }
+  std::vector<std::string> remarks;
+  std::erase_if(items, [&](const TomlValue& item) {
+    const bool replaced = is_tolerance(item) ? new_step : item.key == "step" && new_tolerance;
+    if (item.place.in_override() || !replaced) return false;
+    remarks.push_back(
+        fmt::format("method.{} = {} of the file is not used: {} takes either a step or rtol and atol",
+                    item.key, item.written, info->name));
+    return true;
+  });
+  return remarks;
+}
+
 }  // namespace plumb

@@ -16,4 +16,8 @@ std::vector<std::string> method_keys(const MethodInfo& method);
 /// Returns a remark each.
 std::vector<std::string> drop_keys_of_replaced_method(const TomlValue& file, TomlValue& merged);
 
+/// Where the method takes either a step or tolerances and an override gives the one, takes the file's other
+/// out of `merged`. Returns a remark each.
+std::vector<std::string> drop_replaced_step_control(TomlValue& merged);
+
 }  // namespace plumb

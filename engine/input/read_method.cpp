@@ -65,7 +65,7 @@ MethodSpec read_method(TableReader table, const TimeSpec& time) {
   const bool has_tolerances = table.has("rtol") | table.has("atol");
   if (either && has_tolerances && table.has("step"))
     table.refuse_value("step", fmt::format("{} takes either step or rtol and atol, not both", info->name));
-  if (info->takes_step && !(either && has_tolerances))
+  if (info->takes_step && !(either && (has_tolerances || !table.has("step"))))
     method.step = table.number("step", Range::positive("s"));
   if (info->takes_tolerances && !method.step) {
     method.rtol = table.number("rtol", tolerance, default_rtol);

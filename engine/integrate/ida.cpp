@@ -16,8 +16,9 @@ struct FreeIda {
 /// (Hindmarsh et al. 2005), on the cable with its supports as constraints in the stabilised form of index 2
 /// (Gear, Gupta, Leimkuhler 1985):
 ///   q' = v + Gᵀ μ,   M v' = f(q) + Gᵀ λ,   G v = 0,   G q = G q₀,   y = (q, v, λ, μ).
-/// λ is the reaction of the joint, μ is 0 up to the error of the formulas. Without stabilisation μ and the
-/// last equation are left out, and nothing brings back a joint that has drifted.
+/// λ is the reaction of the joint, μ is 0 up to round-off. Without stabilisation μ and the last equation are
+/// left out, and nothing brings back a joint that has drifted; as these constraints are linear, which the
+/// formulas keep, all that drifts is round-off.
 class Ida : public sundials::LibraryMethod {
  public:
   Ida(const MethodSpec& spec, Dynamics& dynamics, const State& start)
@@ -169,7 +170,7 @@ MethodEntry ida_entry() {
   info.source = "Gear, Gupta, Leimkuhler 1985; Hindmarsh et al. 2005";
   info.order = "1 to 5";
   info.conserves = "momentum";
-  info.use = "the reaction of the joint, and a look at its drift";
+  info.use = "the reaction of the joint, and how far it drifts";
   info.family = MethodFamily::constrained;
   info.implicit = true;
   info.takes_tolerances = true;

@@ -3,7 +3,11 @@
 namespace plumb::sundials {
 
 ReducedSystem::ReducedSystem(Dynamics& dynamics)
-    : dynamics_(dynamics), q_(dynamics.size()), right_(dynamics.size()), momentum_(dynamics.size()) {}
+    : dynamics_(dynamics),
+      q_(dynamics.size()),
+      right_(dynamics.size()),
+      momentum_(dynamics.size()),
+      rates_(dynamics.size()) {}
 
 int ReducedSystem::prepare(N_Vector y, double gamma, bool reuse_tangent) {
   gamma_ = gamma;
@@ -19,9 +23,16 @@ void ReducedSystem::solve(N_Vector solution, N_Vector right_hand_side) {
   dynamics_.cable().mass().multiply(right_, momentum_);
   dynamics_.cable().supports().apply(momentum_);
   dynamics_.solve(momentum_);
-  // Rates first: `solution` may be the memory that b lies in.
-  v_of(solution, n) = (momentum_ - b) / gamma_;
-  q_of(solution, n) = momentum_;
+  // What the supports hold has x = b + γ w and w = c. Both are round-off there, but −b / γ is not.
+  rates_ = c;
+  dynamics_.cable().supports().apply(rates_);
+  rates_ = c - rates_;
+  momentum_ = (momentum_ - b) / gamma_;
+  dynamics_.cable().supports().apply(momentum_);
+  rates_ += momentum_;
+  // `solution` may be the memory of the right-hand side.
+  q_of(solution, n) = b + gamma_ * rates_;
+  v_of(solution, n) = rates_;
 }
 
 }  // namespace plumb::sundials

@@ -21,7 +21,7 @@ class ReducedSystem : public LinearSystem {
  private:
   Dynamics& dynamics_;
   double gamma_ = 0;
-  Eigen::VectorXd q_, right_, momentum_;
+  Eigen::VectorXd q_, right_, momentum_, rates_;
 };
 
 }  // namespace plumb::sundials

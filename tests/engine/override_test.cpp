@@ -53,18 +53,40 @@ TEST(Override, TheLastOneOfAKeyHolds) {
 }
 
 TEST(Override, OfTheMethodDropsTheOldMethodsKeysWithARemark) {
-  const LoadedCase loaded = small_set({"method.name=arkode-erk"});
-  EXPECT_EQ(loaded.spec.method.name, "arkode-erk");
+  const LoadedCase loaded = small_set({"method.name=cvode-bdf"});
+  EXPECT_EQ(loaded.spec.method.name, "cvode-bdf");
   EXPECT_FALSE(loaded.spec.method.step.has_value());
-  EXPECT_EQ(loaded.remarks, (std::vector<std::string>{
-                                "method.step = 1e-3 of the file is not used by arkode-erk",
-                                "method.spectral_radius = 0.9 of the file is not used by arkode-erk",
-                                "method.newton_iterations = 15 of the file is not used by arkode-erk"}));
+  EXPECT_EQ(loaded.remarks,
+            (std::vector<std::string>{"method.step = 1e-3 of the file is not used by cvode-bdf",
+                                      "method.spectral_radius = 0.9 of the file is not used by cvode-bdf",
+                                      "method.newton_iterations = 15 of the file is not used by cvode-bdf"}));
 }
 
 TEST(Override, OfTheMethodKeepsTheKeysThatBothMethodsTake) {
   const LoadedCase loaded = small_set({"method.name=rk4"});
   EXPECT_EQ(loaded.spec.method.step, 1e-3);
+  EXPECT_EQ(loaded.remarks.size(), 2U);
+}
+
+TEST(Override, OfAToleranceTakesThePlaceOfTheFilesStep) {
+  const LoadedCase loaded = small_set({"method.name=arkode-erk", "method.rtol=1e-6"});
+  EXPECT_FALSE(loaded.spec.method.step.has_value());
+  EXPECT_EQ(loaded.spec.method.rtol, 1e-6);
+  ASSERT_FALSE(loaded.remarks.empty());
+  EXPECT_EQ(loaded.remarks.back(),
+            "method.step = 1e-3 of the file is not used: arkode-erk takes either a step or rtol and atol");
+}
+
+TEST(Override, OfTheStepTakesThePlaceOfTheFilesTolerances) {
+  CaseSource source = small_case();
+  source.file.text =
+      with(source.file.text,
+           "name = \"generalized-alpha\"\nstep = 1e-3\nspectral_radius = 0.9\nnewton_iterations = 15",
+           "name = \"arkode-dirk\"\nrtol = 1e-6\natol = 1e-7");
+  source.overrides = {"method.step=2e-3"};
+  const LoadedCase loaded = load_case(source);
+  EXPECT_EQ(loaded.spec.method.step, 2e-3);
+  EXPECT_FALSE(loaded.spec.method.rtol.has_value());
   EXPECT_EQ(loaded.remarks.size(), 2U);
 }
 
