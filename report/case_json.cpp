@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/model/support_constraints.h"
+
 namespace plumb {
 namespace {
 
@@ -29,7 +31,10 @@ Json solve_json(const Run& run) {
             {"tangent_evaluations", t.counters.tangent_evaluations},
             {"factorizations", t.counters.factorizations},
             {"newton_iterations", t.counters.newton_iterations},
-            {"energy_drift", t.relative_energy_drift()}};
+            {"energy_drift", t.relative_energy_drift()},
+            {"constraint_drift", t.constraint_drift},
+            {"greatest_reaction",
+             t.multipliers.empty() ? -1 : greatest_reaction(run.loaded.spec.supports, t.multipliers)}};
   return json;
 }
 

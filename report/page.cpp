@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/integrate/method_info.h"
+#include "engine/model/support_constraints.h"
 #include "report/base64.h"
 #include "report/escape.h"
 
@@ -135,6 +136,12 @@ data cost_rows(const Results& results) {
   rows.push_back(pair_row("time loop", t.solve_seconds < 0 ? "not run" : number(t.solve_seconds) + " s"));
   rows.push_back(
       pair_row("outputs (interpolated)", fmt::format("{} ({})", t.times.size(), t.interpolated_outputs)));
+  if (!t.multipliers.empty()) {
+    rows.push_back(pair_row("greatest drift of the joint", number(t.constraint_drift) + " m"));
+    rows.push_back(
+        pair_row("greatest reaction at the joint",
+                 number(greatest_reaction(results.run.loaded.spec.supports, t.multipliers)) + " N"));
+  }
   return rows;
 }
 

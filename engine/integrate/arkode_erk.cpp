@@ -1,8 +1,10 @@
 #include <arkode/arkode_erkstep.h>
 
+#include <algorithm>
 #include <new>
+#include <utility>
 
-#include "engine/integrate/library_method.h"
+#include "engine/integrate/arkode_method.h"
 
 namespace plumb {
 namespace {
@@ -10,6 +12,11 @@ namespace {
 struct FreeErk {
   void operator()(void* memory) const { ERKStepFree(&memory); }
 };
+
+struct FreeTable {
+  void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
+};
+using Table = std::unique_ptr<ARKodeButcherTableMem, FreeTable>;
 
 ARKODE_ERKTableID table_of_order(int order) {
   switch (order) {
@@ -28,22 +35,57 @@ ARKODE_ERKTableID table_of_order(int order) {
   }
 }
 
-/// ARKODE's embedded explicit Runge-Kutta pairs with controlled step (Reynolds et al. 2023). Steps end on the
-/// output times, as the library's interpolation is of lower order than its pairs.
-class ArkodeErk : public sundials::LibraryMethod {
+/// The pair with the formula's own result as one more stage, of weight 0, whose rate is the first of the next
+/// step. SUNDIALS 6.4 takes the last stage for that wherever it lies at the end of the step, which is wrong,
+/// and costs order and stability, unless it holds the result; with this stage it always does, at no cost.
+Table with_result_as_last_stage(const Table& pair) {
+  const int s = pair->stages;
+  Table table(ARKodeButcherTable_Alloc(s + 1, SUNTRUE));
+  if (!table) throw std::bad_alloc();
+  table->q = pair->q;
+  table->p = pair->p;
+  for (int i = 0; i < s; ++i) {
+    std::copy_n(pair->A[i], s, table->A[i]);
+    table->c[i] = pair->c[i];
+    table->A[s][i] = table->b[i] = pair->b[i];
+    table->d[i] = pair->d[i];
+  }
+  table->c[s] = 1;
+  return table;
+}
+
+/// The pair that advances with a formula of that order.
+Table make_table(int order) {
+  Table table(ARKodeButcherTable_LoadERK(table_of_order(order)));
+  if (!table) throw std::bad_alloc();
+  // Fehlberg's own use of his pair: advance with the formula of order 7, estimate with that of order 8.
+  if (order == 7) {
+    std::swap(table->b, table->d);
+    std::swap(table->q, table->p);
+  }
+  const int last = table->stages - 1;
+  const bool ends_with_result = std::equal(table->b, table->b + last, table->A[last]) && table->b[last] == 0;
+  return ends_with_result ? std::move(table) : with_result_as_last_stage(table);
+}
+
+/// ARKODE's embedded explicit Runge-Kutta pairs (Reynolds et al. 2023): of order 3 Bogacki and Shampine
+/// 1989, 4 Zonneveld 1963, 5 Dormand and Prince 1980, 6 Verner 1978, 7 and 8 Fehlberg 1968.
+class ArkodeErk : public sundials::ArkodeMethod {
  public:
   ArkodeErk(const MethodSpec& spec, Dynamics& dynamics, const State& start)
-      : LibraryMethod(dynamics, start),
-        erk_(ERKStepCreate(sundials::RightHandSide::evaluate, start.t, y(), context())) {
+      : ArkodeMethod(spec, dynamics, start), erk_(ERKStepCreate(right_hand_side, start.t, y(), context())) {
     if (!erk_) throw std::bad_alloc();
     void* erk = erk_.get();
-    ERKStepSetUserData(erk, &right_hand_side());
-    ERKStepSStolerances(erk, *spec.rtol, *spec.atol);
+    ERKStepSetUserData(erk, static_cast<LibraryMethod*>(this));
     ERKStepSetErrHandlerFn(erk, sundials::keep_message, &message());
-    ERKStepSetTableNum(erk, table_of_order(static_cast<int>(spec.parameters.at("order"))));
+    ERKStepSetTable(erk, make_table(static_cast<int>(spec.parameters.at("order"))).get());
+    if (has_fixed_step()) return;
+    ERKStepSStolerances(erk, *spec.rtol, *spec.atol);
+    // The estimated error is that of the lower formula of a pair: where it is the one that advances, the
+    // controller has to count with its order, not with the embedded one's.
+    if (spec.parameters.at("order") == 7)
+      ERKStepSetAdaptivityMethod(erk, ARK_ADAPT_PID, SUNTRUE, SUNTRUE, nullptr);
   }
-
-  bool stops_at_outputs() const override { return true; }
 
   long rejected_steps() const override {
     long failures = 0;
@@ -52,11 +94,11 @@ class ArkodeErk : public sundials::LibraryMethod {
   }
 
  private:
-  int evolve(double stop, double& reached) override {
-    ERKStepSetStopTime(erk_.get(), stop);
+  void fix_step(double h) override { ERKStepSetFixedStep(erk_.get(), h); }
+  void stop_at(double stop) override { ERKStepSetStopTime(erk_.get(), stop); }
+  int take_step(double stop, double& reached) override {
     return ERKStepEvolve(erk_.get(), stop, y(), &reached, ARK_ONE_STEP);
   }
-
   void dense_output(double t, N_Vector to) const override { ERKStepGetDky(erk_.get(), t, 0, to); }
 
   std::unique_ptr<void, FreeErk> erk_;
@@ -67,16 +109,18 @@ class ArkodeErk : public sundials::LibraryMethod {
 MethodEntry arkode_erk_entry() {
   MethodInfo info;
   info.name = "arkode-erk";
-  info.summary = "SUNDIALS ARKODE: embedded explicit Runge-Kutta pairs with controlled step";
-  info.source = "Reynolds et al. 2023; Fehlberg 1968 for order 8";
+  info.summary = "SUNDIALS ARKODE: embedded explicit Runge-Kutta pairs";
+  info.source = "Reynolds et al. 2023; Dormand and Prince 1980; Verner 1978; Fehlberg 1968";
   info.order = "2 to 8";
   info.conserves = "momentum";
   info.use = "soft, coarse cables, and references";
   info.family = MethodFamily::explicit_one_step;
+  info.takes_step = true;
   info.takes_tolerances = true;
   info.parameters = {{.name = "order",
-                      .meaning = "2 Heun-Euler, 3 Bogacki-Shampine, 4 Zonneveld, 5 Dormand-Prince, 6 Verner, "
-                                 "7 and 8 Fehlberg's pair of order 8",
+                      .meaning =
+                          "2 Heun-Euler, 3 Bogacki-Shampine, 4 Zonneveld, 5 Dormand-Prince, 6 Verner, "
+                          "7 and 8 Fehlberg's pair of these orders, advanced with the one or the other",
                       .minimum = 2,
                       .maximum = 8,
                       .fallback = 8,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -24,6 +25,19 @@ void record(const Cable& cable, double t, const State& state, Trajectory& trajec
   trajectory.q.push_back(state.q);
   trajectory.v.push_back(state.v);
   trajectory.energies.push_back(cable.energies(state.q, state.v));
+}
+
+/// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
+void record_constraints(const Cable& cable, const Method& method, double t, Eigen::VectorXd& lambda,
+                        Trajectory& trajectory) {
+  method.constraint_forces(t, lambda);
+  if (lambda.size() == 0) return;
+  trajectory.multipliers.push_back(lambda);
+  Eigen::VectorXd held = trajectory.q.back() - trajectory.q.front();
+  Eigen::VectorXd admissible = held;
+  cable.supports().apply(admissible);
+  held -= admissible;
+  trajectory.constraint_drift = std::max(trajectory.constraint_drift, held.norm());
 }
 
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {
@@ -62,6 +76,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   const std::vector<double> outputs = output_times(time);
   const double near = same_time * time.output_interval;
   State between = start;
+  Eigen::VectorXd lambda;
 
   const auto started = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
@@ -70,7 +85,10 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
   StepResult last = monitor.check(start);
   // A start that is not even finite has nothing to show.
-  if (last.outcome != Outcome::diverged) record(cable, start.t, start, result);
+  if (last.outcome != Outcome::diverged) {
+    record(cable, start.t, start, result);
+    record_constraints(cable, *integrator, start.t, lambda, result);
+  }
   std::size_t next = 1;
   while (last.ok() && next < outputs.size()) {
     stop_if_interrupted();
@@ -91,9 +109,11 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
       if (std::abs(outputs[next] - now.t) <= near) {
         record(cable, outputs[next], now, result);
+        record_constraints(cable, *integrator, now.t, lambda, result);
       } else {
         integrator->interpolate(outputs[next], between);
         record(cable, outputs[next], between, result);
+        record_constraints(cable, *integrator, outputs[next], lambda, result);
         ++result.interpolated_outputs;
       }
     }

@@ -26,33 +26,32 @@ class Context {
 struct DestroyVector {
   void operator()(N_Vector vector) const { N_VDestroy(vector); }
 };
-/// y = (q, v) as the library's vector, owned.
+/// The library's vector, owned.
 using Vector = std::unique_ptr<_generic_N_Vector, DestroyVector>;
 
-/// A vector of 2n numbers. Throws std::bad_alloc.
-Vector make_vector(const State& state, const Context& context);
+/// A vector of that many zeros. Throws std::bad_alloc.
+Vector make_vector(Eigen::Index size, const Context& context);
 
-/// The halves of y = (q, v).
-Eigen::Map<Eigen::VectorXd> q_of(N_Vector y);
-Eigen::Map<Eigen::VectorXd> v_of(N_Vector y);
+/// `count` numbers of y from `first` on.
+Eigen::Map<Eigen::VectorXd> part(N_Vector y, Eigen::Index first, Eigen::Index count);
 
-/// Right-hand side of q' = v, v' = M⁻¹ f(q) in the library's form; `user_data` is a RightHandSide.
-/// Returns 1 (try a shorter step) where the accelerations are not finite or a slope collapsed.
-struct RightHandSide {
-  Dynamics& dynamics;
-  Eigen::VectorXd q, a;
-  int collapsed_element = -1;  ///< where the last failure was
-
-  static int evaluate(double t, N_Vector y, N_Vector ydot, void* user_data);
-};
+/// The coordinates and the rates in y = (q, v, …), n numbers each.
+inline Eigen::Map<Eigen::VectorXd> q_of(N_Vector y, Eigen::Index n) {
+  return part(y, 0, n);
+}
+inline Eigen::Map<Eigen::VectorXd> v_of(N_Vector y, Eigen::Index n) {
+  return part(y, n, n);
+}
 
 /// Takes the library's error messages instead of standard error; `data` is a std::string.
 void keep_message(int code, const char* module, const char* function, char* message, void* data);
 
-/// What the methods of the library share: the vector y = (q, v) and the state it stands for.
+/// What the methods of the library share: the vector y = (q, v, …) and the state it stands for. Nothing is
+/// allocated after the start.
 class LibraryMethod : public Method {
  public:
-  LibraryMethod(Dynamics& dynamics, const State& start);
+  /// `extra`: how many unknowns y holds beside q and v; they start at 0.
+  LibraryMethod(Dynamics& dynamics, const State& start, Eigen::Index extra = 0);
 
   const State& state() const final { return state_; }
   StepResult step(double stop) final;
@@ -64,17 +63,29 @@ class LibraryMethod : public Method {
   /// Sets y to the library's interpolant at t within the last step.
   virtual void dense_output(double t, N_Vector y) const = 0;
 
+  /// Right-hand side of q' = v, v' = M⁻¹ f(q) in the library's form; `user_data` is a LibraryMethod.
+  /// Returns 1 (try a shorter step) where the accelerations are not finite or a slope collapsed.
+  static int right_hand_side(double t, N_Vector y, N_Vector ydot, void* user_data);
+
+  /// Remembers where a slope collapsed within the step, in case that the library gives up for it.
+  void note_collapsed(int element) { collapsed_element_ = element; }
+
+  Dynamics& dynamics() { return dynamics_; }
   const Context& context() const { return context_; }
-  RightHandSide& right_hand_side() { return right_hand_side_; }
-  N_Vector y() { return y_.get(); }
+  N_Vector y() const { return y_.get(); }
+  /// y at t: the state's own, or the interpolant. Good until the next call.
+  N_Vector y_at(double t) const;
   /// The library's last error message, for keep_message.
   std::string& message() { return message_; }
 
  private:
   Context context_;
-  RightHandSide right_hand_side_;
+  Dynamics& dynamics_;
   Vector y_;
+  Vector between_;
   State state_;
+  Eigen::VectorXd q_, a_;
+  int collapsed_element_ = -1;
   std::string message_;
 };
 

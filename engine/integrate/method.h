@@ -38,6 +38,10 @@ class Method {
   /// True where a step should end on every output time because interpolation would cost accuracy.
   virtual bool stops_at_outputs() const { return false; }
 
+  /// Sets `lambda` to the multipliers of the constraints (SupportConstraints) at t (s), within the last step
+  /// or at the state; to nothing for a method without them.
+  virtual void constraint_forces(double /*t*/, Eigen::VectorXd& lambda) const { lambda.resize(0); }
+
   /// Steps tried and repeated shorter.
   virtual long rejected_steps() const { return 0; }
 };

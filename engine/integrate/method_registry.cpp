@@ -18,6 +18,9 @@ MethodEntry generalized_alpha_entry();
 MethodEntry implicit_midpoint_entry();
 MethodEntry energy_momentum_entry();
 MethodEntry cvode_bdf_entry();
+MethodEntry cvode_adams_entry();
+MethodEntry arkode_dirk_entry();
+MethodEntry ida_entry();
 
 namespace {
 
@@ -34,7 +37,10 @@ const std::vector<MethodEntry>& entries() {
       generalized_alpha_entry(),
       implicit_midpoint_entry(),
       energy_momentum_entry(),
+      arkode_dirk_entry(),
+      cvode_adams_entry(),
       cvode_bdf_entry(),
+      ida_entry(),
   };
   return all;
 }

@@ -58,6 +58,12 @@ struct Trajectory {
   std::vector<Eigen::VectorXd> q;  ///< per node r (m) and r' (1), 6(N + 1) numbers
   std::vector<Eigen::VectorXd> v;  ///< their rates, m/s and 1/s
   std::vector<Energies> energies;
+  /// λ, the forces of the joints on the cable, N, and N m for held slopes (SupportConstraints); one an
+  /// output, or none where the method does not carry the supports as constraints.
+  std::vector<Eigen::VectorXd> multipliers;
+  /// Greatest |G (q − q₀)| over the outputs of such a method: m, a held slope counting as a length of 1 m. -1
+  /// for others.
+  double constraint_drift = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
 
   Counters counters;

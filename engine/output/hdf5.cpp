@@ -151,6 +151,12 @@ Reader::~Reader() {
   H5Fclose(file_);
 }
 
+bool Reader::has(const std::string& path) const {
+  for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
+    if (H5Lexists(file_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+  return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
 Numbers Reader::numbers(const std::string& path) const {
   OpenSet opened = open(file_, path, H5T_FLOAT);
   Numbers result{std::move(opened.shape), {}};

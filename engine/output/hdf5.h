@@ -49,6 +49,8 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
+  /// Whether there is a data set of that path; the group it is in may be missing too.
+  bool has(const std::string& path) const;
   /// Numbers of any shape.
   Numbers numbers(const std::string& path) const;
   /// Numbers of the shape that is expected. Throws for another one before any memory is taken for it.

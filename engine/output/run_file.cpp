@@ -10,6 +10,7 @@
 #include "engine/errors.h"
 #include "engine/input/place.h"
 #include "engine/output/checked_file.h"
+#include "engine/model/support_constraints.h"
 #include "engine/output/hdf5.h"
 #include "engine/output/stored_parts.h"
 
@@ -31,6 +32,9 @@ const Field fields[] = {{"states/position", "m", &Trajectory::q, 0},
                         {"states/slope", "1", &Trajectory::q, 3},
                         {"states/velocity", "m/s", &Trajectory::v, 0},
                         {"states/slope_rate", "1/s", &Trajectory::v, 3}};
+
+constexpr const char* multipliers_path = "constraints/multipliers";
+constexpr const char* drift_path = "constraints/drift";
 
 const std::pair<const char*, double Energies::*> energy_parts[] = {
     {"energy/kinetic", &Energies::kinetic},
@@ -64,6 +68,27 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   }
   for (const auto& [name, part] : stored_counters())
     file.integer(fmt::format("counters/{}", name), trajectory.counters.*part);
+  if (trajectory.multipliers.empty()) return;
+  values.clear();
+  for (const Eigen::VectorXd& lambda : trajectory.multipliers)
+    values.insert(values.end(), lambda.begin(), lambda.end());
+  const auto rows = static_cast<hsize_t>(trajectory.multipliers.front().size());
+  file.numbers(multipliers_path, {outputs, rows}, values.data(), "N and N m");
+  file.number(drift_path, trajectory.constraint_drift, "m");
+}
+
+/// What only methods that carry the supports as constraints have.
+void read_constraints(const hdf5::Reader& file, Trajectory& result) {
+  if (!file.has(multipliers_path)) return;
+  const hdf5::Numbers numbers = file.numbers(multipliers_path);
+  const hsize_t outputs = result.times.size();
+  if (numbers.shape.size() != 2 || numbers.shape[0] != outputs || numbers.shape[1] == 0)
+    throw std::runtime_error("its multipliers are not one set an output");
+  const auto rows = static_cast<Eigen::Index>(numbers.shape[1]);
+  for (std::size_t k = 0; k < outputs; ++k)
+    result.multipliers.push_back(
+        Eigen::Map<const Eigen::VectorXd>(numbers.values.data() + static_cast<Eigen::Index>(k) * rows, rows));
+  result.constraint_drift = file.number(drift_path);
 }
 
 /// Throws std::runtime_error where numbers read cannot be those of a run.
@@ -81,6 +106,9 @@ void check(const Trajectory& trajectory) {
   if (!std::all_of(trajectory.q.begin(), trajectory.q.end(), finite) ||
       !std::all_of(trajectory.v.begin(), trajectory.v.end(), finite))
     throw std::runtime_error("its states are not finite");
+  if (!std::all_of(trajectory.multipliers.begin(), trajectory.multipliers.end(), finite) ||
+      !std::isfinite(trajectory.constraint_drift))
+    throw std::runtime_error("its multipliers are not finite");
   for (const Energies& e : trajectory.energies)
     if (!std::isfinite(e.total())) throw std::runtime_error("its energies are not finite");
 }
@@ -116,6 +144,7 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
   }
   for (const auto& [name, part] : stored_counters())
     result.counters.*part = file.integer(fmt::format("counters/{}", name));
+  read_constraints(file, result);
   check(result);
   return result;
 }
@@ -146,8 +175,13 @@ Run read_run(const std::string& path) {
     run.trajectory = read_trajectory(file);
     run.provenance = read_provenance(file);
     run.loaded = load_case(read_source(file));
-    if (run.loaded.spec.cable.elements != run.trajectory.elements)
+    const Case& spec = run.loaded.spec;
+    if (spec.cable.elements != run.trajectory.elements)
       throw std::runtime_error("its states and its case have different numbers of elements");
+    const SupportConstraints constraints(spec.supports, spec.start.direction, spec.cable.elements + 1);
+    if (!run.trajectory.multipliers.empty() &&
+        run.trajectory.multipliers.front().size() != constraints.count())
+      throw std::runtime_error("its multipliers are not those of its supports");
     run.probes = probe(run.loaded.spec, run.trajectory);
     return run;
   } catch (const InputError& error) {

@@ -65,7 +65,7 @@ TEST(StudyCurves, VariantsStateTheirOwnOrder) {
     EXPECT_NE(found, curves.end()) << label;
     return found != curves.end() ? *found : CurvePlan{};
   };
-  EXPECT_EQ(labelled("arkode-erk, order 5").stated_order, "5");
+  EXPECT_EQ(labelled("arkode-erk, order 5, fixed step").stated_order, "5");
   EXPECT_EQ(labelled("cvode-bdf, order ≤ 2").stated_order, "1 to 2");
 }
 

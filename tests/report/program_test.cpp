@@ -141,8 +141,8 @@ TEST(Program, DoctorNamesRendererAndEveryMethod) {
   const TemporaryFolder folder;
   const Ended ended = plumb_in(folder.path(), {"doctor"});
   ASSERT_EQ(ended.status, 0) << ended.err;
-  for (const char* name :
-       {"llvmpipe", "linearly-implicit-euler", "rk4", "generalized-alpha", "cvode-bdf", "arkode-erk"})
+  for (const char* name : {"llvmpipe", "linearly-implicit-euler", "rk4", "generalized-alpha", "cvode-bdf",
+                           "arkode-erk", "cvode-adams", "arkode-dirk", "ida"})
     EXPECT_NE(ended.out.find(name), std::string::npos) << name << "\n" << ended.out;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/base64.h"
+#include "report/case_json.h"
 #include "report/escape.h"
 #include "report/page.h"
 #include "report/results.h"
@@ -199,6 +200,23 @@ TEST(Base64, FollowsTheStandardsExamples) {
   EXPECT_EQ(base64("foo"), "Zm9v");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
   EXPECT_EQ(base64(std::string("\xFF\xFE\x00", 3)), "//4A");
+}
+
+TEST(Page, ShowsReactionAndDriftOfTheJointWhereTheyWereComputedOnly) {
+  plumb::Run run = run_with("a", "[supports]\nfirst = \"pinned\"\n");
+  const std::string without = to_page(evaluate(run, {}), {});
+  EXPECT_EQ(without.find("greatest reaction at the joint"), std::string::npos);
+  EXPECT_EQ(solve_json(run)["greatest_reaction"], -1);
+  EXPECT_EQ(solve_json(run)["constraint_drift"], -1);
+  run.trajectory.multipliers.assign(3, Eigen::Vector3d(3, 0, 4));
+  run.trajectory.constraint_drift = 2e-15;
+  const std::string with = to_page(evaluate(run, {}), {});
+  EXPECT_NE(with.find("greatest reaction at the joint"), std::string::npos);
+  EXPECT_NE(with.find("5 N"), std::string::npos);
+  EXPECT_NE(with.find("greatest drift of the joint"), std::string::npos);
+  EXPECT_NE(with.find("2e-15 m"), std::string::npos);
+  EXPECT_EQ(solve_json(run)["greatest_reaction"], 5);
+  EXPECT_EQ(solve_json(run)["constraint_drift"], 2e-15);
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <limits>
+
+#include "engine/errors.h"
 #include "tests/report/made_run.h"
 #include "tests/report/program.h"
 
@@ -31,6 +34,47 @@ TEST(RunFile, KeepsEveryNumberOfARun) {
   EXPECT_EQ(to_csv(back.probes), to_csv(run.probes));
 }
 
+plumb::Run run_with_joint() {
+  plumb::Run run = run_with("a", "[supports]\nfirst = \"pinned\"\n");
+  for (const double force : {1.0, 2.5, -3.0})
+    run.trajectory.multipliers.push_back(Eigen::Vector3d(0, force, 0.5));
+  run.trajectory.constraint_drift = 1e-15;
+  return run;
+}
+
+TEST(RunFile, KeepsTheMultipliersOfAJointWhereThereAreAny) {
+  const TemporaryFolder folder;
+  const plumb::Run run = run_with_joint();
+  write_text(folder / "run.h5", encode_run(run));
+  const plumb::Run back = read_run((folder / "run.h5").string());
+  EXPECT_EQ(back.trajectory.multipliers, run.trajectory.multipliers);
+  EXPECT_EQ(back.trajectory.constraint_drift, 1e-15);
+  write_text(folder / "other.h5", encode_run(run_with("a")));
+  const plumb::Run other = read_run((folder / "other.h5").string());
+  EXPECT_TRUE(other.trajectory.multipliers.empty());
+  EXPECT_EQ(other.trajectory.constraint_drift, -1);
+}
+
+TEST(RunFile, IsRefusedWithMultipliersThatAreNotThoseOfItsSupports) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const plumb::Run& run) -> std::string {
+    write_text(folder / "run.h5", encode_run(run));
+    try {
+      read_run((folder / "run.h5").string());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  plumb::Run wrong = run_with_joint();
+  for (Eigen::VectorXd& lambda : wrong.trajectory.multipliers) lambda = Eigen::Vector2d(1, 2);
+  EXPECT_NE(refusal(wrong).find("multipliers are not those of its supports"), std::string::npos)
+      << refusal(wrong);
+  wrong = run_with_joint();
+  wrong.trajectory.multipliers[1][2] = std::numeric_limits<double>::infinity();
+  EXPECT_NE(refusal(wrong).find("multipliers are not finite"), std::string::npos) << refusal(wrong);
+}
+
 /// Calls `visit` with the path and identifier of every data set of a file.
 template <class Visit>
 void for_each_data_set(const fs::path& path, Visit visit) {
@@ -50,7 +94,7 @@ void for_each_data_set(const fs::path& path, Visit visit) {
 
 TEST(RunFile, HasAUnitOnEveryDataSet) {
   const TemporaryFolder folder;
-  write_text(folder / "run.h5", encode_run(run_with("a")));
+  write_text(folder / "run.h5", encode_run(run_with_joint()));
   int sets = 0;
   for_each_data_set(folder / "run.h5", [&](const std::string& name, hid_t set) {
     ++sets;
