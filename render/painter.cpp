@@ -14,13 +14,19 @@ namespace {
 
 constexpr std::array<int, 2> shape_components = {4, 3};
 
-enum class Form { capsule, square, diamond };
+enum class Form { capsule, square, diamond, triangle_up, triangle_down };
 
 void add_shape(std::vector<float>& shapes, const Point& a, const Point& b, double half_width,
                double half_stroke, Form form) {
   for (const double value : {a.x(), a.y(), b.x(), b.y(), half_width, half_stroke})
     shapes.push_back(static_cast<float>(value));
   shapes.push_back(static_cast<float>(form));
+}
+
+// Two strokes through p: across `arm` and along it.
+void add_arms(std::vector<float>& shapes, const Point& p, const Point& arm, double stroke) {
+  for (const Point& way : {Point(arm.y(), -arm.x()), arm})
+    add_shape(shapes, p - way, p + way, std::max(stroke, 1.0) / 2, 0, Form::capsule);
 }
 
 }  // namespace
@@ -78,11 +84,21 @@ void Painter::markers(std::span<const Point> points, Marker marker, double diame
       case Marker::diamond:
         add_shape(shapes, p, p, radius, stroke / 2, Form::diamond);
         break;
+      case Marker::triangle_up:
+        add_shape(shapes, p, p, radius, stroke / 2, Form::triangle_up);
+        break;
+      case Marker::triangle_down:
+        add_shape(shapes, p, p, radius, stroke / 2, Form::triangle_down);
+        break;
       case Marker::cross:
-        for (const double way : {-1.0, 1.0}) {
-          const Point arm = 0.75 * radius * Point(1, way);
-          add_shape(shapes, p - arm, p + arm, std::max(stroke, 1.0) / 2, 0, Form::capsule);
-        }
+        add_arms(shapes, p, 0.75 * radius * Point(1, 1), stroke);
+        break;
+      case Marker::plus:
+        add_arms(shapes, p, Point(radius, 0), stroke);
+        break;
+      case Marker::circled_cross:
+        add_shape(shapes, p, p, 1.15 * radius, stroke / 2, Form::capsule);
+        add_arms(shapes, p, 0.55 * radius * Point(1, 1), stroke);
         break;
     }
   }
