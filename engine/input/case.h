@@ -168,6 +168,31 @@ struct SceneSpec {
   friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
+/// How far a work-precision study goes. The form that `plumb run` makes is shorter than that of `plumb
+/// study`.
+struct StudyExtent {
+  std::vector<int> elements;         ///< meshes, rising, the case's own among them
+  std::vector<std::string> methods;  ///< names, in the order of method_infos()
+  int points = 0;                    ///< runs a curve, 3 to 20
+  int repeats = 0;                   ///< timed runs of each, 1 to 50
+  double time_limit = 0;             ///< of one run, s, > 0
+
+  friend bool operator==(const StudyExtent&, const StudyExtent&) = default;
+};
+
+/// [study.work_precision]: every method over steps or tolerances and meshes.
+struct WorkPrecisionSpec {
+  double end = 0;                 ///< s; at most that of the case
+  double largest_step = 0;        ///< s
+  double smallest_step = 0;       ///< s, less than the largest
+  double loosest_tolerance = 0;   ///< rtol and atol, in (0, 1)
+  double tightest_tolerance = 0;  ///< less than the loosest
+  StudyExtent full;
+  StudyExtent quick;
+
+  friend bool operator==(const WorkPrecisionSpec&, const WorkPrecisionSpec&) = default;
+};
+
 /// What a case file says, checked.
 struct Case {
   std::string title;
@@ -182,9 +207,13 @@ struct Case {
   std::vector<ReferenceUse> references;
   std::vector<FigureSpec> figures;
   SceneSpec scene;
+  std::optional<WorkPrecisionSpec> work_precision;
 
   friend bool operator==(const Case&, const Case&) = default;
 };
+
+/// The work-precision study of a case: what its table says, or the defaults where it has none.
+WorkPrecisionSpec work_precision_of(const Case& spec);
 
 /// The words that case files use: "green-geometric", "full", "pinned", "rigid", "position", "max".
 std::string_view word(StrainModel);

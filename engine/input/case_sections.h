@@ -45,4 +45,7 @@ std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std:
 
 SceneSpec read_scene(TableReader table, const TimeSpec& time);
 
+/// [study.work_precision]; an empty table gives the defaults.
+WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable, const TimeSpec& time);
+
 }  // namespace plumb

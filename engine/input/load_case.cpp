@@ -40,7 +40,10 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
+  TableReader study = root.table("study");
+  const bool has_work_precision = study.has("work_precision");
   root.finish();
+  study.finish();
 
   spec.parameters = parameters.values();
   spec.cable = read_cable(cable);
@@ -54,6 +57,8 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
+  if (has_work_precision)
+    spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
 
   loaded.references = std::move(read.references);
   loaded.source = {file, overrides, std::move(read.texts)};

@@ -50,6 +50,21 @@ std::string either(const std::vector<std::string>& allowed) {
   return text;
 }
 
+/// The place of a string among the allowed words.
+std::size_t choice_in(const TomlValue& value, const std::string& key,
+                      const std::vector<std::string>& allowed) {
+  if (value.kind != Kind::string) refuse_kind(value, key, either(allowed));
+  const auto found = std::find(allowed.begin(), allowed.end(), value.string);
+  if (found == allowed.end()) {
+    const std::string_view near = nearest(value.string, allowed);
+    refuse(
+        value.place, key, value.written,
+        fmt::format("must be {}{}", either(allowed),
+                    near.empty() || allowed.size() == 1 ? "" : fmt::format("; did you mean \"{}\"?", near)));
+  }
+  return static_cast<std::size_t>(found - allowed.begin());
+}
+
 }  // namespace
 
 TableReader::TableReader(const TomlValue& table, std::string key, const Parameters* parameters)
@@ -132,6 +147,35 @@ std::optional<std::vector<double>> TableReader::numbers(std::string_view key, st
   return result;
 }
 
+const std::vector<TomlValue>* TableReader::find_list(std::string_view key, std::string_view expected) {
+  const TomlValue* value = find(key);
+  if (value == nullptr) return nullptr;
+  if (value->kind != Kind::array) refuse_kind(*value, full_key(key), expected);
+  if (value->items.empty())
+    refuse(value->place, full_key(key), value->written, fmt::format("must be {}, found none", expected));
+  return &value->items;
+}
+
+std::optional<std::vector<int>> TableReader::wholes(std::string_view key, int low, int high) {
+  const std::vector<TomlValue>* items = find_list(key, "a list of whole numbers");
+  if (items == nullptr) return {};
+  std::vector<int> result;
+  for (std::size_t i = 0; i < items->size(); ++i)
+    result.push_back(static_cast<int>(
+        number_in((*items)[i], fmt::format("{}.{}", full_key(key), i), Range::whole_between(low, high))));
+  return result;
+}
+
+std::optional<std::vector<std::size_t>> TableReader::choices(std::string_view key,
+                                                             const std::vector<std::string>& allowed) {
+  const std::vector<TomlValue>* items = find_list(key, "a list of strings");
+  if (items == nullptr) return {};
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < items->size(); ++i)
+    result.push_back(choice_in((*items)[i], fmt::format("{}.{}", full_key(key), i), allowed));
+  return result;
+}
+
 Vec3 TableReader::vector(std::string_view key, std::string_view unit) {
   if (!has(key))
     miss(key, fmt::format("a list of 3 numbers{}", unit.empty() ? "" : fmt::format(" ({})", unit)));
@@ -209,16 +253,7 @@ std::optional<std::size_t> TableReader::choice(std::string_view key, const std::
     if (!optional) miss(key, either(allowed));
     return {};
   }
-  if (value->kind != Kind::string) refuse_kind(*value, full_key(key), either(allowed));
-  const auto found = std::find(allowed.begin(), allowed.end(), value->string);
-  if (found == allowed.end()) {
-    const std::string_view near = nearest(value->string, allowed);
-    refuse_value(
-        key,
-        fmt::format("must be {}{}", either(allowed),
-                    near.empty() || allowed.size() == 1 ? "" : fmt::format("; did you mean \"{}\"?", near)));
-  }
-  return static_cast<std::size_t>(found - allowed.begin());
+  return choice_in(*value, full_key(key), allowed);
 }
 
 TableReader TableReader::table(std::string_view key) {

@@ -37,6 +37,11 @@ class TableReader {
   Vec3 vector(std::string_view key, std::string_view unit, const Vec3& fallback);
   /// A list of `count` numbers, or nothing where it is missing.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count, const Range& range);
+  /// A list of any number of whole numbers, one or more, or nothing where it is missing.
+  std::optional<std::vector<int>> wholes(std::string_view key, int low, int high);
+  /// A list of one or more of the allowed words, as places among them, or nothing where it is missing.
+  std::optional<std::vector<std::size_t>> choices(std::string_view key,
+                                                  const std::vector<std::string>& allowed);
 
   /// A string of one line; required, and not empty.
   std::string text(std::string_view key, std::string_view meaning);
@@ -89,6 +94,8 @@ class TableReader {
  private:
   const TomlValue* find(std::string_view key);
   void miss(std::string_view key, std::string_view meaning);
+  /// The values of a list that is not empty, or nullptr where it is missing.
+  const std::vector<TomlValue>* find_list(std::string_view key, std::string_view expected);
 
   const TomlValue* table_;
   Place place_;  ///< of the table, or of the one around it where it is missing

@@ -14,6 +14,9 @@ namespace {
 /// Outputs this close to a step, as a fraction of the output interval, are the state of that step.
 constexpr double same_time = 1e-9;
 
+/// Steps between two looks at the clock, which costs as much as a part of a short step.
+constexpr long steps_between_looks = 16;
+
 void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
   trajectory.times.push_back(t);
   trajectory.q.push_back(state.q);
@@ -40,14 +43,14 @@ std::vector<double> output_times(const TimeSpec& time) {
   return times;
 }
 
-Trajectory integrate(const Case& spec, const Progress& progress) {
+Trajectory integrate(const Case& spec, const Progress& progress, double time_limit) {
   const Cable cable(spec);
   const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
-  return integrate(cable, start, spec.method, spec.time, progress);
+  return integrate(cable, start, spec.method, spec.time, progress, time_limit);
 }
 
 Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
-                     const Progress& progress) {
+                     const Progress& progress, double time_limit) {
   Trajectory result;
   result.elements = cable.elements();
   result.element_length = cable.element().length();
@@ -59,6 +62,9 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   State between = start;
 
   const auto started = std::chrono::steady_clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  };
   const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
   StepResult last = monitor.check(start);
   // A start that is not even finite has nothing to show.
@@ -88,9 +94,13 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
       }
     }
     if (progress && dynamics.counters.steps % 256 == 0) progress(now.t);
+    if (next < outputs.size() && dynamics.counters.steps % steps_between_looks == 0 &&
+        elapsed() > time_limit) {
+      last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
+      result.message = describe(last, method, now.t, dynamics.counters.steps);
+    }
   }
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - started;
-  result.solve_seconds = elapsed.count();
+  result.solve_seconds = elapsed();
   result.outcome = last.outcome;
   if (!last.ok() && result.message.empty()) result.message = describe(last, method, start.t, 0);
   result.end_time = integrator->state().t;

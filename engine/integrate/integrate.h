@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "engine/input/case.h"
@@ -12,15 +13,18 @@ namespace plumb {
 /// Called now and then with the time reached, s.
 using Progress = std::function<void(double)>;
 
+inline constexpr double no_time_limit = std::numeric_limits<double>::infinity();
+
 /// The output times of a run: 0, every multiple of the interval, and the end.
 std::vector<double> output_times(const TimeSpec& time);
 
 /// Integrates the cable of a case from its start. A failure of the method is an outcome, with what was
-/// computed up to then kept. Throws Interrupted if the user stops it.
-Trajectory integrate(const Case& spec, const Progress& progress = {});
+/// computed up to then kept; so is a time loop of more than `time_limit` seconds, which is looked at every
+/// few steps. Throws Interrupted if the user stops it.
+Trajectory integrate(const Case& spec, const Progress& progress = {}, double time_limit = no_time_limit);
 
 /// The same for any cable and start, e.g. a start that no case describes.
 Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
-                     const Progress& progress = {});
+                     const Progress& progress = {}, double time_limit = no_time_limit);
 
 }  // namespace plumb

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "engine/integrate/trajectory.h"
+
 namespace plumb {
 
 /// How far one run is from a reference, in several norms taken from the same outputs. -1: not taken.
@@ -14,13 +16,19 @@ struct ErrorNorms {
 };
 
 enum class ErrorNorm { tip_max, tip_rms, curve, energy };
-inline constexpr std::array error_norms{ErrorNorm::tip_max, ErrorNorm::tip_rms, ErrorNorm::curve,
-                                        ErrorNorm::energy};
+inline constexpr std::array error_norm_list{ErrorNorm::tip_max, ErrorNorm::tip_rms, ErrorNorm::curve,
+                                            ErrorNorm::energy};
 
 /// "tip-max", "tip-rms", "curve", "energy".
 std::string_view word(ErrorNorm);
 /// "m", or "1" for the energy.
 std::string_view unit(ErrorNorm);
 double value(const ErrorNorms& norms, ErrorNorm norm);
+
+/// The distance of a run to a reference over the same outputs; they may have different meshes of one cable.
+/// Points of equal arc length are compared, and the arc length is integrated by Gauss's rule between any two
+/// nodes of either mesh, which is exact. All are -1 where the run did not reach every output of the
+/// reference.
+ErrorNorms error_norms(const Trajectory& run, const Trajectory& reference);
 
 }  // namespace plumb

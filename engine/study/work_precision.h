@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/input/case.h"
 #include "engine/integrate/method_info.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/output/provenance.h"
@@ -17,14 +18,19 @@ struct StudyRun {
   MethodSpec method;
   int elements = 0;
   Outcome outcome = Outcome::not_run;
-  std::string message;               ///< for an outcome other than completed
-  Counters counters;                 ///< of one run
-  std::vector<double> seconds = {};  ///< of the time loop, one an undisturbed repeat, in the order taken
-  ErrorNorms time_error;             ///< against the same mesh integrated exactly
-  ErrorNorms total_error;            ///< against the mesh-converged solution
+  std::string message;  ///< for an outcome other than completed
+  Counters counters;    ///< of one run
+  /// Of the time loop, one an undisturbed repeat, in the order taken. Of a run that did not complete: once,
+  /// up to where it ended.
+  std::vector<double> seconds = {};
+  ErrorNorms time_error;   ///< against the same mesh integrated exactly
+  ErrorNorms total_error;  ///< against the mesh-converged solution
 
+  bool completed() const { return outcome == Outcome::completed; }
   /// The least of `seconds`; -1: not timed.
   double work_seconds() const;
+  /// "step 5e-4 s", "rtol 1e-8": what was varied along the curve.
+  std::string setting() const;
 };
 
 /// A reference that two unlike methods of high order agree on.
@@ -36,7 +42,9 @@ struct CertifiedReference {
   double smallest_error = -1;  ///< the smallest error drawn against it, m; -1: none
   /// True if the two agree to a tenth of the smallest error drawn. Otherwise `floor` is drawn.
   bool certified = false;
-  double floor = 0;  ///< ten times the agreement, m: errors below it mean nothing
+  double floor =
+      0;  ///< m: errors below it mean nothing. Ten times the agreement, or the mesh error if greater
+  std::string why_not = {};  ///< in words, where it is not certified
 };
 
 /// The order of accuracy seen along a curve: the slope of log error over log step by least squares.
@@ -55,6 +63,7 @@ struct StudyCurve {
   std::vector<std::size_t> runs;  ///< indices into WorkPrecision::runs, from the largest step or tolerance
   std::string stated_order;
   ObservedOrder observed;    ///< of time_error.tip_max over the mean step
+  std::string ending = {};   ///< why the curve has no finer runs, in words; empty: it has all that were asked
   bool conspicuous = false;  ///< the errors flatten together with those of two or more other curves
 };
 
@@ -69,7 +78,10 @@ struct MeshConvergence {
   std::vector<int> elements;  ///< coarse to fine
   std::vector<double>
       distance;  ///< of each mesh, integrated exactly, to the finest: tip, greatest over time, m
-  double observed_order = -1;
+  /// Of each mesh to the next finer one, m: one less than `elements`. The last three meshes give the figures
+  /// below.
+  std::vector<double> change;
+  double observed_order = -1;          ///< -1: the changes do not fall from mesh to mesh
   double extrapolated_error = -1;      ///< Richardson's estimate of the finest mesh's own error, m
   double grid_convergence_index = -1;  ///< of the finest mesh, m, with the safety factor below
   double safety_factor = 1.25;
@@ -90,11 +102,12 @@ struct WorkPrecision {
   bool quick = false;      ///< the short form that `plumb run` makes
   int fixed_elements = 0;  ///< the mesh of the first question
   double end = 0;          ///< s
+  double length = 0;       ///< of the cable, m
   std::vector<StudyRun> runs;
   std::vector<StudyCurve> curves;
   std::vector<CertifiedReference> mesh_references;  ///< one a mesh
   CertifiedReference converged_reference;
-  /// How far the finest two meshes of the converged reference are apart: its own mesh error, m.
+  /// Richardson's estimate of the mesh error of the converged reference itself, m; -1: not known.
   double converged_mesh_error = -1;
   std::vector<std::size_t> time_front;   ///< Pareto front of seconds and time_error.tip_max on the fixed mesh
   std::vector<std::size_t> total_front;  ///< of seconds and total_error.tip_max over all meshes
@@ -104,5 +117,8 @@ struct WorkPrecision {
   std::optional<MeshConvergence> mesh;
   Provenance provenance;
 };
+
+/// A completed run that is further off than this share of the length is stable but wrong.
+inline constexpr double wrong_beyond = 0.1;
 
 }  // namespace plumb

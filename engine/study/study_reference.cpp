@@ -1,0 +1,161 @@
+#include "engine/study/study_reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/integrate/integrate.h"
+
+namespace plumb {
+namespace {
+
+MethodSpec with_defaults(const std::string& name) {
+  MethodSpec spec;
+  spec.name = name;
+  for (const MethodParameter& parameter : find_method(name)->parameters)
+    spec.parameters[parameter.name] = parameter.fallback;
+  return spec;
+}
+
+MethodSpec erk8(double tolerance) {
+  MethodSpec spec = with_defaults("arkode-erk");
+  spec.parameters["order"] = 8;
+  spec.rtol = spec.atol = tolerance;
+  return spec;
+}
+
+MethodSpec rk4(double step) {
+  MethodSpec spec = with_defaults("rk4");
+  spec.step = step;
+  return spec;
+}
+
+std::string describe(const MethodSpec& method) {
+  if (method.step) return fmt::format("{} with step {:.3g} s", method.name, *method.step);
+  return fmt::format("{} of order {:g} with rtol {:.3g}", method.name, method.parameters.at("order"),
+                     *method.rtol);
+}
+
+Trajectory run(const Case& spec, const MethodSpec& method, double time_limit) {
+  Case with = spec;
+  with.method = method;
+  return integrate(with, {}, time_limit);
+}
+
+double tip_distance(const Trajectory& a, const Trajectory& b) {
+  if (a.outcome != Outcome::completed || b.outcome != Outcome::completed || a.times != b.times) return -1;
+  double worst = 0;
+  for (std::size_t k = 0; k < a.q.size(); ++k)
+    worst = std::max(worst, (a.q[k].tail<6>().head<3>() - b.q[k].tail<6>().head<3>()).norm());
+  return worst;
+}
+
+StudyReference reference_of(const Trajectory& trajectory, const MethodSpec& first, const MethodSpec& second,
+                            double agreement) {
+  StudyReference result;
+  result.certificate.elements = trajectory.elements;
+  result.certificate.first = describe(first);
+  result.certificate.second = describe(second);
+  result.certificate.agreement = agreement;
+  result.method = first;
+  if (trajectory.outcome == Outcome::completed) result.trajectory = trajectory;
+  return result;
+}
+
+/// A guess at the step from which rk4 is stable: twice that which the fastest wave through one element
+/// allows, axial (9.55 c/l for the straight cable) or bending (√8400 c_b/l² of a free element). Too long a
+/// step only costs a run.
+double first_step(const Case& spec) {
+  constexpr double rk4_limit = 2.828;
+  const double l = spec.cable.length / spec.cable.elements;
+  const double axial = 9.55 * std::sqrt(spec.cable.youngs_modulus / spec.cable.density) / l;
+  const double bending = std::sqrt(8400 * spec.cable.youngs_modulus * spec.cable.second_moment /
+                                   (spec.cable.density * spec.cable.area)) /
+                         (l * l);
+  return std::min(rk4_limit / std::max(axial, bending), spec.time.output_interval);
+}
+
+double dividing(double output_interval, double step) {
+  return output_interval / std::ceil(output_interval / step - 1e-9);
+}
+
+/// What agrees better than what was there before; a reference that nothing agrees with is better than none.
+bool better(const StudyReference& a, const StudyReference& b) {
+  if (a.trajectory.times.empty() || b.trajectory.times.empty()) return b.trajectory.times.empty();
+  if (a.certificate.agreement < 0 || b.certificate.agreement < 0) return b.certificate.agreement < 0;
+  return a.certificate.agreement < b.certificate.agreement;
+}
+
+}  // namespace
+
+StudyReference hold_together(const Case& spec, const MethodSpec& first, const MethodSpec& second,
+                             double time_limit) {
+  const Trajectory a = run(spec, first, time_limit);
+  return reference_of(a, first, second, tip_distance(a, run(spec, second, time_limit)));
+}
+
+StudyReference make_reference(const Case& spec, double target, double time_limit) {
+  constexpr double most_steps = 1e7;
+  const double interval = spec.time.output_interval;
+  StudyReference best;
+  best.certificate.elements = spec.cable.elements;
+  double step = dividing(interval, first_step(spec) / 2);
+  Trajectory second;
+  // From loose to tight, so that a mesh too dear for the target still has the best that it can have.
+  for (const double tolerance : {1e-7, 1e-9, 1e-11, 1e-13}) {
+    const Trajectory first = run(spec, erk8(tolerance), time_limit);
+    if (first.outcome != Outcome::completed) {
+      if (better(reference_of(first, erk8(tolerance), rk4(step), -1), best))
+        best = reference_of(first, erk8(tolerance), rk4(step), -1);
+      break;
+    }
+    double before = INFINITY;
+    while (true) {
+      if (second.outcome != Outcome::completed) {
+        if (spec.time.end / step > most_steps) break;
+        second = run(spec, rk4(step), time_limit);
+      }
+      const double distance = tip_distance(first, second);
+      const StudyReference found = reference_of(first, erk8(tolerance), rk4(step), distance);
+      if (better(found, best)) best = found;
+      if (distance >= 0 && distance <= target) return best;
+      if (second.outcome == Outcome::out_of_time) return best;
+      // Where a shorter step no longer brings them together, it is the first that is to be tightened.
+      if (distance >= 0 && distance > before / 3) break;
+      double factor = 0.5;
+      if (distance >= 0) {
+        before = distance;
+        factor = std::clamp(0.8 * std::pow(target / distance, 0.25), 1.0 / 16, 0.5);
+      }
+      step = dividing(interval, step * factor);
+      second = {};
+    }
+  }
+  return best;
+}
+
+void certify(CertifiedReference& reference, double smallest_error, double mesh_error) {
+  constexpr double margin = 10;
+  reference.smallest_error = smallest_error;
+  reference.certified = false;
+  reference.why_not.clear();
+  reference.floor = std::max({margin * reference.agreement, mesh_error, 0.0});
+  if (reference.agreement < 0)
+    reference.why_not = "no two methods completed the reference";
+  else if (mesh_error < 0)
+    reference.why_not = "the error of its mesh is not known";
+  else if (smallest_error >= 0 && smallest_error < margin * reference.agreement)
+    reference.why_not = fmt::format(
+        "its two methods agree to {:.2g} m, which is not ten times better than the smallest error drawn, "
+        "{:.2g} m",
+        reference.agreement, smallest_error);
+  else if (smallest_error >= 0 && smallest_error < mesh_error)
+    reference.why_not = fmt::format(
+        "the error of its mesh, some {:.2g} m, is greater than the smallest error drawn, {:.2g} m",
+        mesh_error, smallest_error);
+  else
+    reference.certified = true;
+}
+
+}  // namespace plumb
