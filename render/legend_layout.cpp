@@ -22,8 +22,8 @@ std::vector<std::size_t> labelled(const Panel& panel) {
   return result;
 }
 
-double entry_width(const Series& series, const PlotSizes& sizes, const Font& font) {
-  return legend_sample(sizes) + sizes.gap + font.measure(series.label, sizes.legend).width;
+double entry_width(const Panel& panel, const Series& series, const PlotSizes& sizes, const Font& font) {
+  return legend_sample(panel, sizes) + sizes.gap + font.measure(series.label, sizes.legend).width;
 }
 
 bool hides_a_rule(const PanelLayout& layout, const Rect& box) {
@@ -78,7 +78,8 @@ Point place_in(const Columns& columns, std::size_t entry, double left, double to
 double widest_entry(const Panel& panel, const std::vector<std::size_t>& entries, const PlotSizes& sizes,
                     const Font& font) {
   double width = 0;
-  for (const std::size_t i : entries) width = std::max(width, entry_width(panel.series[i], sizes, font));
+  for (const std::size_t i : entries)
+    width = std::max(width, entry_width(panel, panel.series[i], sizes, font));
   return width;
 }
 
@@ -138,27 +139,32 @@ LegendLayout legend_rows(const Panel& panel, double left, double top, double wid
   LegendLayout legend;
   legend.outside = true;
   legend.series = labelled(panel);
-  double row = -2 * sizes.gap;
-  for (const std::size_t i : legend.series) row += entry_width(panel.series[i], sizes, font) + 2 * sizes.gap;
-  std::size_t rows = 1;
-  if (row <= width) {
-    double x = left;
-    for (const std::size_t i : legend.series) {
-      legend.at.emplace_back(x, top + 0.98 * sizes.legend.size);
-      x += entry_width(panel.series[i], sizes, font) + 2 * sizes.gap;
+  std::vector<double> widths;
+  for (const std::size_t i : legend.series)
+    widths.push_back(entry_width(panel, panel.series[i], sizes, font) + 2 * sizes.gap);
+  // Filled column by column, each as wide as its widest entry, in as few rows as fit.
+  std::size_t rows = 0;
+  double room = 0;
+  std::vector<double> columns;
+  do {
+    ++rows;
+    columns.clear();
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      if (i % rows == 0) columns.push_back(0);
+      columns.back() = std::max(columns.back(), widths[i]);
     }
-  } else {
-    const double entry = widest_entry(panel, legend.series, sizes, font);
-    const auto fitting = static_cast<std::size_t>(
-        std::max(1.0, std::floor((width + 2 * sizes.gap) / (entry + 2 * sizes.gap))));
-    Columns shape = columns(legend.series.size(), fitting, entry, sizes);
-    rows = shape.rows;
-    shape.way = std::max(shape.way, width / static_cast<double>(shape.count));
-    for (std::size_t i = 0; i < legend.series.size(); ++i)
-      legend.at.push_back(place_in(shape, i, left, top, sizes));
+    room = width + 2 * sizes.gap;
+    for (const double column : columns) room -= column;
+  } while (room < 0 && rows < widths.size());
+  const double margin = rows > 1 ? 0.5 * sizes.gap : 0;
+  double x = left;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    if (i > 0 && i % rows == 0) x += columns[i / rows - 1];
+    legend.at.emplace_back(
+        x, top + margin + row_height(sizes) * static_cast<double>(i % rows) + 0.98 * sizes.legend.size);
   }
   legend.box = {left, top, left + width,
-                top + row_height(sizes) * static_cast<double>(rows - 1) + 1.3 * sizes.legend.size};
+                top + margin + row_height(sizes) * static_cast<double>(rows - 1) + 1.3 * sizes.legend.size};
   return legend;
 }
 

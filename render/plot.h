@@ -31,6 +31,7 @@ struct Axis {
   std::optional<std::array<double, 2>> range;  ///< lo < hi; default: the data's with a small margin
   bool zero_line = false;                      ///< draws a line at 0, where that is in the range
   Scale scale = Scale::linear;
+  std::vector<double> ticks = {};  ///< marked and labelled instead of round values; ascending
 };
 
 /// A value worth knowing along one axis, below the series: a line, or a shaded band between two values. It

@@ -132,6 +132,25 @@ void check(const Plot& plot) {
     throw OutputError(fmt::format("plot: a font size of {}: must be greater than 0", plot.font_size));
 }
 
+// Those of the given values that are inside; where a label would overlap the one before, it is empty.
+AxisTicks given_ticks(const AxisMap& axis, const std::vector<double>& given, const TickRoom& room) {
+  AxisTicks ticks;
+  double free_from = -std::numeric_limits<double>::infinity();
+  for (const double value : given) {
+    const double at = std::abs(axis(value) - axis.start);
+    if (!(value >= axis.range.lo && value <= axis.range.hi)) continue;
+    std::string label = fmt::format("{:g}", value);
+    const double half = room.extent(label) / 2;
+    if (at - half < free_from)
+      label.clear();
+    else
+      free_from = at + half + room.gap;
+    ticks.major.push_back(value);
+    ticks.labels.push_back(std::move(label));
+  }
+  return ticks;
+}
+
 bool has_legend(const Panel& panel) {
   return panel.legend && std::any_of(panel.series.begin(), panel.series.end(),
                                      [](const Series& series) { return !series.label.empty(); });
@@ -167,7 +186,7 @@ class Stack {
                                         plot_.height, plot_.font_size));
         PanelRanges fitted = ranges[p];
         if (plot_.panels[p].equal_axes) equalise(fitted, panel.frame);
-        mark(panel, fitted);
+        mark(panel, fitted, plot_.panels[x_axis_of(p)].x, plot_.panels[p].y);
         room = std::max(room, left_margin(plot_.panels[p], panel));
       }
       left = room;
@@ -192,6 +211,12 @@ class Stack {
   }
 
  private:
+  // The panel whose x axis panel p has.
+  std::size_t x_axis_of(std::size_t p) const {
+    while (!shows_x(p)) ++p;
+    return p;
+  }
+
   bool shows_x(std::size_t p) const {
     return !plot_.panels[p].shares_x_below || p + 1 == plot_.panels.size();
   }
@@ -237,20 +262,21 @@ class Stack {
     }
   }
 
-  static AxisTicks ticks(const AxisMap& axis, const TickRoom& room) {
+  static AxisTicks ticks(const AxisMap& axis, const std::vector<double>& given, const TickRoom& room) {
+    if (!given.empty()) return given_ticks(axis, given, room);
     return axis.scale == Scale::linear ? axis_ticks(axis.range.lo, axis.range.hi, room)
                                        : log_axis_ticks(axis.range.lo, axis.range.hi, room);
   }
 
-  void mark(PanelLayout& panel, const PanelRanges& ranges) const {
+  void mark(PanelLayout& panel, const PanelRanges& ranges, const Axis& x_axis, const Axis& y_axis) const {
     panel.x = {ranges.x, panel.frame.left, panel.frame.right, ranges.x_scale};
     panel.y = {ranges.y, panel.frame.bottom, panel.frame.top, ranges.y_scale};
     const auto wide = [&](std::string_view label) { return font_.measure(label, sizes_.tick).width; };
     const auto high = [&](std::string_view) { return sizes_.tick.size; };
-    panel.x_ticks =
-        ticks(panel.x, {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
-    panel.y_ticks =
-        ticks(panel.y, {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
+    panel.x_ticks = ticks(panel.x, x_axis.ticks,
+                          {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
+    panel.y_ticks = ticks(panel.y, y_axis.ticks,
+                          {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
   }
 
   const Plot& plot_;
@@ -324,8 +350,13 @@ std::string exponent_label(int exponent) {
   return fmt::format("\u00d710^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
-double legend_sample(const PlotSizes& sizes) {
-  return 1.6 * sizes.legend.size;
+double legend_sample(const Panel& panel, const PlotSizes& sizes) {
+  const bool dashed_with_markers =
+      std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) {
+        return !series.label.empty() && series.line_width > 0 && series.dash != Dash::solid &&
+               series.marker != Marker::none;
+      });
+  return (dashed_with_markers ? 2.6 : 1.6) * sizes.legend.size;
 }
 
 }  // namespace plumb

@@ -87,7 +87,8 @@ std::vector<Point> pixels(const Series& series, const PanelLayout& panel);
 /// "×10^{−5}" for -5, empty for 0.
 std::string exponent_label(int exponent);
 
-/// Length of the sample of a line in the legend, pixels.
-double legend_sample(const PlotSizes& sizes);
+/// Length of the sample of a line in the panel's legend, pixels: longer where dashes must show beside
+/// markers.
+double legend_sample(const Panel& panel, const PlotSizes& sizes);
 
 }  // namespace plumb

@@ -178,7 +178,7 @@ class PanelDrawing {
       const std::size_t index = legend.series[i];
       const Point& at = legend.at[i];
       const double y = at.y() - 0.33 * sizes_.legend.size;
-      const double length = legend_sample(sizes_);
+      const double length = legend_sample(panel_, sizes_);
       const Series& s = panel_.series[index];
       const Color color = color_of(panel_, index);
       Series line = s;

@@ -182,7 +182,7 @@ TEST(PlotLayout, LegendOfManyEntriesStandsInAlignedColumnsWithoutOverlap) {
     std::set<double> lefts;
     for (std::size_t i = 0; i < legend.at.size(); ++i) {
       lefts.insert(legend.at[i].x());
-      const double wide = legend_sample(sizes) + sizes.gap +
+      const double wide = legend_sample(plot.panels[0], sizes) + sizes.gap +
                           font.measure(plot.panels[0].series[legend.series[i]].label, sizes.legend).width;
       EXPECT_LE(legend.at[i].x() + wide, plot.width) << curves << " curves, entry " << i;
       EXPECT_LE(legend.at[i].y(), legend.box.bottom);
@@ -238,6 +238,17 @@ TEST(PlotLayout, RulesNeitherWidenAnAxisNorShowWhereTheyAreOutsideIt) {
   EXPECT_EQ(with.y.range.lo, without.y.range.lo);
   EXPECT_EQ(with.x.range.hi, without.x.range.hi);
   EXPECT_TRUE(with.rules.empty());
+}
+
+TEST(PlotLayout, GivenTicksReplaceTheRoundOnesWhereTheyAreInside) {
+  Plot plot;
+  plot.panels.resize(1);
+  plot.panels[0].x.scale = Scale::logarithmic;
+  plot.panels[0].x.range = {3, 70};
+  plot.panels[0].x.ticks = {2, 4, 4.01, 8, 16, 64, 128};
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(panel.x_ticks.major, (std::vector<double>{4, 4.01, 8, 16, 64}));
+  EXPECT_EQ(panel.x_ticks.labels, (std::vector<std::string>{"4", "", "8", "16", "64"}));
 }
 
 TEST(PlotLayout, PowersOfTenAreWrittenAsSuperscripts) {
