@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <kainjow/mustache.hpp>
-#include <stdexcept>
 
 #include "engine/integrate/method_info.h"
-#include "report/base64.h"
-#include "report/escape.h"
+#include "report/page_template.h"
+#include "report/study_page.h"
 
 namespace plumb {
 
 extern const std::string_view page_mustache;
 extern const std::string_view page_css;
+extern const std::string_view study_css;
 extern const std::string_view formulation_mustache;
 
 namespace {
@@ -22,10 +21,6 @@ using kainjow::mustache::data;
 
 std::string number(double value) {
   return fmt::format("{:.4g}", value);
-}
-
-std::string data_uri(const std::string& png) {
-  return "data:image/png;base64," + base64(png);
 }
 
 data verdict_rows(const Results& results) {
@@ -167,19 +162,6 @@ data case_rows(const Case& spec) {
   return rows;
 }
 
-data pairs(const std::vector<std::pair<std::string, std::string>>& items) {
-  data rows{data::type::list};
-  for (const auto& [name, value] : items) rows.push_back(pair_row(name, value));
-  return rows;
-}
-
-std::string render(std::string_view text, const data& values) {
-  kainjow::mustache::mustache page{std::string(text)};
-  page.set_custom_escape([](const std::string& raw) { return escape_xml(raw); });
-  if (!page.is_valid()) throw std::logic_error("page template: " + page.error_message());
-  return page.render(values);
-}
-
 }  // namespace
 
 std::string to_page(const Results& results, const Pictures& pictures) {
@@ -197,7 +179,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   formulation["method_source"] = method.source;
 
   data page;
-  page["css"] = std::string(page_css);
+  page["css"] = std::string(page_css) + (results.study ? std::string(study_css) : "");
   page["title"] = spec.title;
   page["headline"] = headline(results);
   page["good"] = results.solved() && all_passed(results.verdicts);
@@ -232,7 +214,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["drift"] = number(trajectory.energy_drift());
   page["drift_in_words"] = drift_in_words(trajectory);
   page["cost"] = cost_rows(results);
-  page["formulation"] = render(formulation_mustache, formulation);
+  page["formulation"] = fill_in(formulation_mustache, formulation);
   page["case_rows"] = case_rows(spec);
   page["case_name"] = run.loaded.source.file.name;
   page["case_text"] = run.loaded.source.file.text;
@@ -241,12 +223,18 @@ std::string to_page(const Results& results, const Pictures& pictures) {
     overrides.push_back(data{"override", override_text});
   page["has_overrides"] = !run.loaded.source.overrides.empty();
   page.set("overrides", overrides);
-  page["provenance"] = pairs(run.provenance);
+  page["has_study"] = results.study.has_value();
+  if (results.study) {
+    page["script_policy"] = "; " + study_script_policy();
+    page["study"] = study_section(*results.study, pictures.study);
+    page["scripts"] = study_scripts(*results.study);
+  }
+  page["provenance"] = pair_rows(run.provenance);
   std::vector<std::pair<std::string, std::string>> stages;
   for (const auto& [name, seconds] : results.stages.all())
     stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pairs(stages);
-  return render(page_mustache, page);
+  page["stages"] = pair_rows(stages);
+  return fill_in(page_mustache, page);
 }
 
 }  // namespace plumb

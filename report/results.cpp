@@ -19,7 +19,7 @@ std::string drift_in_words(const Trajectory& trajectory) {
 }
 
 Results evaluate(const Run& run, const Stages& stages) {
-  Results results{run, series_errors(run), {}, stages};
+  Results results{run, series_errors(run), {}, stages, {}};
   results.verdicts = verdicts(run, results.errors);
   return results;
 }

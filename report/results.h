@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/output/run.h"
+#include "engine/study/work_precision.h"
 #include "report/series_error.h"
 #include "report/stages.h"
 #include "report/verdict.h"
@@ -17,8 +19,9 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;  ///< one for each of `errors`
-  Stages stages;                  ///< those before the report itself
+  std::vector<Verdict> verdicts;            ///< one for each of `errors`
+  Stages stages;                            ///< those before the report itself
+  std::optional<WorkPrecision> study = {};  ///< a work-precision study of the same case
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };

@@ -14,8 +14,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t most_lines = 10;
-
 constexpr Color front_color = Color::hex(0xF0D98C);
 constexpr Color trouble_color = Color::hex(0x555555);
 
@@ -71,7 +69,7 @@ class WorkFigure {
 
   Figure make() {
     all_ = study_lines(study_, question_);
-    lines_ = chosen_lines(study_, question_, most_lines);
+    lines_ = chosen_lines(study_, question_, most_drawn_curves);
     find_ranges();
     Panel panel;
     panel.x = log_axis("time loop [s]", x_range_);
@@ -265,7 +263,7 @@ double mean_step(const WorkPrecision& study, const StudyRun& run) {
 
 Figure order_figure(const WorkPrecision& study) {
   const auto styles = curve_styles(study);
-  const std::vector<StudyLine> lines = chosen_lines(study, StudyQuestion::time, most_lines);
+  const std::vector<StudyLine> lines = chosen_lines(study, StudyQuestion::time, most_drawn_curves);
   Panel panel;
   panel.x = log_axis("mean step [s]");
   panel.y = log_axis("error of time integration: tip, greatest [m]");

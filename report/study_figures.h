@@ -7,6 +7,9 @@
 
 namespace plumb {
 
+/// A picture with more cannot be read.
+inline constexpr std::size_t most_drawn_curves = 10;
+
 inline constexpr const char* time_work_figure_name = "work_precision_time";
 inline constexpr const char* total_work_figure_name = "work_precision_total";
 inline constexpr const char* order_figure_name = "observed_orders";
