@@ -33,13 +33,23 @@ Json solve_json(const Run& run) {
   return json;
 }
 
+Json verdict_json(const Verdict& verdict) {
+  return {{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
+          {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
+          {"unit", verdict.unit},           {"message", verdict.message},     {"reason", verdict.reason}};
+}
+
+Json method_json(const MethodSpec& method) {
+  Json json{{"name", method.name}};
+  if (method.step) json["step"] = *method.step;
+  if (method.rtol) json["rtol"] = *method.rtol;
+  if (method.atol) json["atol"] = *method.atol;
+  for (const auto& [name, value] : method.parameters) json[name] = value;
+  return json;
+}
+
 Json case_json(const LoadedCase& loaded) {
   const Case& spec = loaded.spec;
-  Json method{{"name", spec.method.name}};
-  if (spec.method.step) method["step"] = *spec.method.step;
-  if (spec.method.rtol) method["rtol"] = *spec.method.rtol;
-  if (spec.method.atol) method["atol"] = *spec.method.atol;
-  for (const auto& [name, value] : spec.method.parameters) method[name] = value;
   Json json;
   json["file"] = loaded.source.file.name;
   json["overrides"] = loaded.source.overrides;
@@ -57,7 +67,7 @@ Json case_json(const LoadedCase& loaded) {
                    {"slope_rates", word(spec.start.slope_rates)}};
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
   json["loads"] = {{"gravity", vector_json(spec.loads.gravity)}};
-  json["method"] = method;
+  json["method"] = method_json(spec.method);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
   json["text"] = loaded.source.file.text;
   return json;

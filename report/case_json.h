@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/output/run.h"
+#include "report/verdict.h"
 
 namespace plumb {
 
@@ -12,5 +13,10 @@ nlohmann::ordered_json solve_json(const Run& run);
 
 /// A case as it was understood: every key with its value in SI units, and the text it came from.
 nlohmann::ordered_json case_json(const LoadedCase& loaded);
+
+nlohmann::ordered_json verdict_json(const Verdict& verdict);
+
+/// A method with all that it was given.
+nlohmann::ordered_json method_json(const MethodSpec& method);
 
 }  // namespace plumb

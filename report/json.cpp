@@ -2,6 +2,7 @@
 
 #include "report/case_json.h"
 #include "report/results.h"
+#include "report/study_json.h"
 
 namespace plumb {
 namespace {
@@ -29,12 +30,6 @@ Json error_json(const SeriesError& error, const Run& run) {
           {"time", error.times},
           {"expected", error.expected},
           {"difference", error.difference}};
-}
-
-Json verdict_json(const Verdict& verdict) {
-  return {{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
-          {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
-          {"unit", verdict.unit},           {"message", verdict.message},     {"reason", verdict.reason}};
 }
 
 Json reference_json(const Reference& reference) {
@@ -83,6 +78,7 @@ std::string to_json(const Results& results) {
   json["probes"]["t"] = {{"unit", "s"}, {"values", run.probes.times}};
   for (const Column& column : run.probes.columns)
     json["probes"][column.name] = {{"unit", column.unit}, {"values", column.values}};
+  if (results.study) json["work_precision"] = work_precision_json(results.study->result);
   json["case"] = case_json(run.loaded);
   for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
   for (const auto& [name, value] : run.provenance) json["provenance"][name] = value;

@@ -4,35 +4,25 @@
 #include <vector>
 
 #include "report/escape.h"
+#include "report/junit_suites.h"
 #include "report/results.h"
 
 namespace plumb {
 namespace {
 
-struct TestCase {
-  std::string name;
-  VerdictStatus status;
-  std::string message;
-  double seconds = 0;
-};
+long count(const JunitSuite& suite, VerdictStatus status) {
+  return std::count_if(suite.cases.begin(), suite.cases.end(),
+                       [&](const JunitCase& c) { return c.status == status; });
+}
 
-struct Suite {
-  std::string name;
-  std::vector<TestCase> cases;
-};
+}  // namespace
 
-std::vector<Suite> suites(const Results& results) {
-  const Trajectory& t = results.run.trajectory;
-  std::vector<Suite> all;
-  all.push_back({"integration",
-                 {{fmt::format("{}, {}", results.run.loaded.spec.method.name,
-                               counted(t.elements, "element", "elements")),
-                   results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
-                   std::max(0.0, t.solve_seconds)}}});
+std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
+  std::vector<JunitSuite> all;
   for (const VerdictKind kind : {VerdictKind::verification, VerdictKind::validation, VerdictKind::regression,
                                  VerdictKind::performance}) {
-    Suite suite{std::string(word(kind)), {}};
-    for (const Verdict& verdict : results.verdicts)
+    JunitSuite suite{std::string(word(kind)), {}};
+    for (const Verdict& verdict : verdicts)
       if (verdict.kind == kind)
         suite.cases.push_back({verdict.name + ": " + verdict.criterion, verdict.status, verdict.message, 0});
     if (!suite.cases.empty()) all.push_back(std::move(suite));
@@ -40,31 +30,34 @@ std::vector<Suite> suites(const Results& results) {
   return all;
 }
 
-long count(const Suite& suite, VerdictStatus status) {
-  return std::count_if(suite.cases.begin(), suite.cases.end(),
-                       [&](const TestCase& c) { return c.status == status; });
+std::string to_junit(const Results& results) {
+  const Trajectory& t = results.run.trajectory;
+  std::vector<JunitSuite> all = suites_of(results.verdicts);
+  all.insert(all.begin(), {"integration",
+                           {{fmt::format("{}, {}", results.run.loaded.spec.method.name,
+                                         counted(t.elements, "element", "elements")),
+                             results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
+                             std::max(0.0, t.solve_seconds)}}});
+  return junit_xml(results.run.loaded.spec.title, all);
 }
 
-}  // namespace
-
-std::string to_junit(const Results& results) {
-  const std::vector<Suite> all = suites(results);
+std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& all) {
   long tests = 0, failures = 0, skipped = 0;
-  for (const Suite& suite : all) {
+  for (const JunitSuite& suite : all) {
     tests += std::ssize(suite.cases);
     failures += count(suite, VerdictStatus::failed);
     skipped += count(suite, VerdictStatus::not_run);
   }
-  const std::string title = escape_xml(results.run.loaded.spec.title);
+  const std::string title = escape_xml(name);
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" "
       "skipped=\"{}\">\n",
       title, tests, failures, skipped);
-  for (const Suite& suite : all) {
+  for (const JunitSuite& suite : all) {
     xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
                        suite.name, suite.cases.size(), count(suite, VerdictStatus::failed),
                        count(suite, VerdictStatus::not_run));
-    for (const TestCase& test : suite.cases) {
+    for (const JunitCase& test : suite.cases) {
       xml += fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", title, suite.name,
                          escape_xml(test.name), test.seconds);
       if (test.status == VerdictStatus::passed) {

@@ -223,11 +223,11 @@ std::string to_page(const Results& results, const Pictures& pictures) {
     overrides.push_back(data{"override", override_text});
   page["has_overrides"] = !run.loaded.source.overrides.empty();
   page.set("overrides", overrides);
-  page["has_study"] = results.study.has_value();
+  page["has_study"] = results.study != nullptr;
   if (results.study) {
     page["script_policy"] = "; " + study_script_policy();
-    page["study"] = study_section(*results.study, pictures.study);
-    page["scripts"] = study_scripts(*results.study);
+    page["study"] = study_section(results.study->result, pictures.study);
+    page["scripts"] = study_scripts(results.study->result);
   }
   page["provenance"] = pair_rows(run.provenance);
   std::vector<std::pair<std::string, std::string>> stages;

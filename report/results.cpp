@@ -18,8 +18,8 @@ std::string drift_in_words(const Trajectory& trajectory) {
       trajectory.kinetic_scale() == trajectory.energies.front().kinetic ? "first" : "greatest");
 }
 
-Results evaluate(const Run& run, const Stages& stages) {
-  Results results{run, series_errors(run), {}, stages, {}};
+Results evaluate(const Run& run, const Stages& stages, const Study* study) {
+  Results results{run, series_errors(run), {}, stages, study};
   results.verdicts = verdicts(run, results.errors);
   return results;
 }

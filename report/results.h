@@ -1,11 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/output/run.h"
-#include "engine/study/work_precision.h"
+#include "engine/study/study_file.h"
 #include "report/series_error.h"
 #include "report/stages.h"
 #include "report/verdict.h"
@@ -19,15 +18,15 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;            ///< one for each of `errors`
-  Stages stages;                            ///< those before the report itself
-  std::optional<WorkPrecision> study = {};  ///< a work-precision study of the same case
+  std::vector<Verdict> verdicts;  ///< one for each of `errors`
+  Stages stages;                  ///< those before the report itself
+  const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };
 
 /// Compares a run with its references.
-Results evaluate(const Run& run, const Stages& stages);
+Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr);
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
@@ -43,6 +42,9 @@ std::string to_json(const Results& results);
 
 /// junit.xml: a suite for the integration and one for each kind of verdict, a test case a criterion.
 std::string to_junit(const Results& results);
+
+/// The verdicts as a table in Markdown, failures first, of bounded length.
+std::string verdict_table(const std::vector<Verdict>& verdicts);
 
 /// summary.md, for a CI page; below 64 KiB.
 std::string to_summary(const Results& results);

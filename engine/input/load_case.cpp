@@ -23,7 +23,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   for (const std::string& text : overrides) apply_override(merged, text);
 
   LoadedCase loaded;
-  loaded.remarks = drop_keys_of_replaced_method(written, merged);
+  loaded.remarks = drop_overruled_keys(written, merged);
   const Parameters parameters(merged.find("parameters"));
   TableReader root(merged, "", &parameters);
   root.has("parameters");

@@ -31,16 +31,32 @@ std::vector<std::string> method_keys(const MethodInfo& method) {
   return keys;
 }
 
-std::vector<std::string> drop_keys_of_replaced_method(const TomlValue& file, TomlValue& merged) {
+std::vector<std::string> drop_overruled_keys(const TomlValue& file, TomlValue& merged) {
   const MethodInfo* old_method = named_method(file);
   const MethodInfo* new_method = named_method(merged);
-  if (old_method == nullptr || new_method == nullptr || old_method == new_method) return {};
+  if (old_method == nullptr || new_method == nullptr) return {};
   const std::vector<std::string> old_keys = method_keys(*old_method), new_keys = method_keys(*new_method);
+  TomlValue& table = *merged.find("method");
+  const auto overridden = [&](const char* key) {
+    const TomlValue* value = table.find(key);
+    return value != nullptr && value->place.in_override();
+  };
+  // Of a step and tolerances, a method that takes either is given what was said last.
+  const bool either = new_method->takes_step && new_method->takes_tolerances;
+  const bool step = either && overridden("step");
+  const bool tolerances = either && (overridden("rtol") || overridden("atol"));
   std::vector<std::string> remarks;
-  std::erase_if(merged.find("method")->items, [&](const TomlValue& item) {
-    if (item.place.in_override() || !has(old_keys, item.key) || has(new_keys, item.key)) return false;
-    remarks.push_back(fmt::format("method.{} = {} of the file is not used by {}", item.key, item.written,
-                                  new_method->name));
+  std::erase_if(table.items, [&](const TomlValue& item) {
+    if (item.place.in_override()) return false;
+    const bool replaced = old_method != new_method && has(old_keys, item.key) && !has(new_keys, item.key);
+    const bool overruled =
+        (step && (item.key == "rtol" || item.key == "atol")) || (tolerances && item.key == "step");
+    if (!replaced && !overruled) return false;
+    remarks.push_back(fmt::format("method.{} = {} of the file is not used by {}{}", item.key, item.written,
+                                  new_method->name,
+                                  replaced ? ""
+                                  : step   ? " with a step"
+                                           : " with tolerances"));
     return true;
   });
   return remarks;

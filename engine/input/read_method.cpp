@@ -61,11 +61,10 @@ MethodSpec read_method(TableReader table, const TimeSpec& time) {
     return method;
   }
   method.name = info->name;
-  const bool either = info->takes_step && info->takes_tolerances;
-  const bool has_tolerances = table.has("rtol") | table.has("atol");
-  if (either && has_tolerances && table.has("step"))
+  const bool has_step = table.has("step"), has_tolerances = table.has("rtol") | table.has("atol");
+  if (info->takes_step && info->takes_tolerances && has_step && has_tolerances)
     table.refuse_value("step", fmt::format("{} takes either step or rtol and atol, not both", info->name));
-  if (info->takes_step && !(either && has_tolerances))
+  if (info->takes_step && (has_step || !info->takes_tolerances))
     method.step = table.number("step", Range::positive("s"));
   if (info->takes_tolerances && !method.step) {
     method.rtol = table.number("rtol", tolerance, default_rtol);

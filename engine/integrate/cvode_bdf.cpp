@@ -55,10 +55,11 @@ class CvodeBdf : public sundials::LibraryMethod {
                                              &static_cast<CvodeBdf*>(user_data)->right_hand_side());
   }
 
-  static int linear_system(double, N_Vector y, N_Vector, SUNMatrix, int reuse, int* fresh, double gamma,
+  static int linear_system(double, N_Vector y, N_Vector, SUNMatrix, int, int* fresh, double gamma,
                            void* user_data, N_Vector, N_Vector, N_Vector) {
-    *fresh = reuse ? SUNFALSE : SUNTRUE;
-    return static_cast<CvodeBdf*>(user_data)->system_.prepare(y, gamma, reuse != SUNFALSE);
+    // A new tangent costs no more than keeping the old one would.
+    *fresh = SUNTRUE;
+    return static_cast<CvodeBdf*>(user_data)->system_.prepare(y, gamma);
   }
 
   sundials::ReducedSystem system_;

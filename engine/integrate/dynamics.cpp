@@ -12,9 +12,8 @@ Dynamics::Dynamics(const Cable& cable)
                .factorizations = 0,
                .newton_iterations = 0},
       cable_(cable),
-      tangent_(cable.nodes()),
-      system_(cable.nodes()),
-      factors_(cable.nodes()) {}
+      scratch_(cable.size()),
+      system_(cable.nodes()) {}
 
 void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) {
   ++counters.force_evaluations;
@@ -24,22 +23,31 @@ void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) {
 
 void Dynamics::acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a) {
   force(q, a);
-  cable_.mass().solve(a);
+  cable_.mass().solve(a, scratch_);
+}
+
+void Dynamics::assemble(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor) {
+  ++counters.tangent_evaluations;
+  cable_.system(q, mass_factor, stiffness_factor, system_);
+  cable_.supports().apply(system_);
 }
 
 std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor) {
-  ++counters.tangent_evaluations;
-  cable_.tangent(q, tangent_);
-  return refactor(mass_factor, stiffness_factor);
+  assemble(q, mass_factor, stiffness_factor);
+  ++counters.factorizations;
+  definite_ = best_kernels().factor(system_.nodes(), system_.data()) < 0;
+  if (definite_) return std::nullopt;
+  // The matrix was overwritten by what there was of its factors.
+  assemble(q, mass_factor, stiffness_factor);
+  ++counters.factorizations;
+  return lu_.factor(GeneralBlockTridiagonal(system_));
 }
 
-std::optional<int> Dynamics::refactor(double mass_factor, double stiffness_factor) {
-  ++counters.factorizations;
-  system_ = tangent_;
-  system_.scale(stiffness_factor);
-  cable_.mass().add_to(system_, mass_factor);
-  cable_.supports().apply(system_);
-  return factors_.factor(system_);
+void Dynamics::solve(Eigen::VectorXd& x) const {
+  if (definite_)
+    best_kernels().solve(system_.nodes(), system_.data(), x.data());
+  else
+    lu_.solve(x);
 }
 
 std::optional<int> Dynamics::take_collapsed() {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/integrate/trajectory.h"
+#include "engine/model/block_lu.h"
 #include "engine/model/cable.h"
 
 namespace plumb {
@@ -26,11 +27,8 @@ class Dynamics {
   [[nodiscard]] std::optional<int> factor(const Eigen::VectorXd& q, double mass_factor,
                                           double stiffness_factor);
 
-  /// The same with the tangent that was evaluated last.
-  [[nodiscard]] std::optional<int> refactor(double mass_factor, double stiffness_factor);
-
   /// x := S⁻¹ x; x must be free of what the supports hold.
-  void solve(Eigen::VectorXd& x) const { factors_.solve(x); }
+  void solve(Eigen::VectorXd& x) const;
 
   /// An element whose slope collapsed in a force evaluation since the last call; forgets it.
   std::optional<int> take_collapsed();
@@ -38,10 +36,13 @@ class Dynamics {
   Counters counters;
 
  private:
+  void assemble(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor);
+
   const Cable& cable_;
-  BlockTridiagonal tangent_;
-  BlockTridiagonal system_;
-  BlockTridiagonalLu factors_;
+  Eigen::VectorXd scratch_;
+  BlockTridiagonal system_;  // and its factors, in place
+  BlockLu lu_;               // instead, where S is not positive definite
+  bool definite_ = true;
   std::optional<int> collapsed_;
 };
 

@@ -1,4 +1,4 @@
-#include "engine/integrate/fixed_step_method.h"
+#include "engine/integrate/one_step_method.h"
 
 namespace plumb {
 namespace {
@@ -7,9 +7,10 @@ namespace {
 ///   (M + h² K(qₙ)) vₙ₊₁ = M vₙ + h f(qₙ),  qₙ₊₁ = qₙ + h vₙ₊₁,  K = −∂f/∂q.
 /// Order 1; damps fast motion strongly (a factor 1/√(1 + ω²h²) a step) and never says that a step is too
 /// large.
-class LinearlyImplicitEuler : public FixedStepMethod {
+class LinearlyImplicitEuler : public OneStepMethod {
  public:
-  using FixedStepMethod::FixedStepMethod;
+  LinearlyImplicitEuler(const MethodSpec& spec, Dynamics& dynamics, const State& start)
+      : OneStepMethod(spec, 1, dynamics, start) {}
 
  private:
   StepResult advance(double h, const State& from, State& to) override {
@@ -42,7 +43,7 @@ MethodEntry linearly_implicit_euler_entry() {
   info.takes_step = true;
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<LinearlyImplicitEuler>(*spec.step, dynamics, start);
+            return std::make_unique<LinearlyImplicitEuler>(spec, dynamics, start);
           }};
 }
 

@@ -11,9 +11,8 @@ ReducedSystem& system_of(SUNLinearSolver solver) {
 
 }  // namespace
 
-int ReducedSystem::prepare(N_Vector y, double gamma, bool reuse_tangent) {
+int ReducedSystem::prepare(N_Vector y, double gamma) {
   gamma_ = gamma;
-  if (reuse_tangent) return dynamics_.refactor(1, gamma * gamma) ? 1 : 0;
   q_ = q_of(y);
   return dynamics_.factor(q_, 1, gamma * gamma) ? 1 : 0;
 }

@@ -26,9 +26,8 @@ class ReducedSystem {
  public:
   explicit ReducedSystem(Dynamics& dynamics) : dynamics_(dynamics) {}
 
-  /// Prepares M + γ² K at y; with `reuse_tangent` K is that of the last call. Returns 1 if the matrix is
-  /// singular (the library tries a shorter step), else 0.
-  int prepare(N_Vector y, double gamma, bool reuse_tangent);
+  /// Prepares M + γ² K at y. Returns 1 if the matrix is singular (the library tries a shorter step), else 0.
+  int prepare(N_Vector y, double gamma);
 
   /// (x, w) for the right-hand side (b, c).
   void solve(N_Vector solution, N_Vector right_hand_side);

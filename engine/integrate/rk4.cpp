@@ -1,4 +1,4 @@
-#include "engine/integrate/fixed_step_method.h"
+#include "engine/integrate/one_step_method.h"
 
 namespace plumb {
 namespace {
@@ -6,9 +6,10 @@ namespace {
 /// The classical Runge-Kutta method of order 4 (Kutta 1901; Hairer, Nørsett, Wanner, Solving Ordinary
 /// Differential Equations I, table II.1.2) for q' = v, v' = a(q): four force evaluations a step, stable on
 /// the imaginary axis up to ωh = 2 √2.
-class Rk4 : public FixedStepMethod {
+class Rk4 : public OneStepMethod {
  public:
-  Rk4(double h, Dynamics& dynamics, const State& start) : FixedStepMethod(h, dynamics, start) {
+  Rk4(const MethodSpec& spec, Dynamics& dynamics, const State& start)
+      : OneStepMethod(spec, 4, dynamics, start) {
     for (Eigen::VectorXd* x : {&a1_, &a2_, &a3_, &a4_, &q_}) x->resize(dynamics.size());
   }
 
@@ -44,7 +45,7 @@ MethodEntry rk4_entry() {
   info.takes_step = true;
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Rk4>(*spec.step, dynamics, start);
+            return std::make_unique<Rk4>(spec, dynamics, start);
           }};
 }
 

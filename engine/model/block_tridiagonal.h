@@ -1,58 +1,45 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
-#include <optional>
 #include <vector>
+
+#include "engine/kernels/kernels.h"
 
 namespace plumb {
 
+using Block6 = Eigen::Matrix<double, 6, 6>;
+
 /// A symmetric matrix with 6 by 6 blocks on the diagonal and beside it: the shape that a chain of two-node
-/// elements gives. Memory and every operation are linear in the number of nodes.
+/// elements gives. It is held as the block columns of kernels.h; of the diagonal blocks only the lower
+/// triangle is meaningful. Memory and every operation are linear in the number of nodes.
 class BlockTridiagonal {
  public:
-  using Block = Eigen::Matrix<double, 6, 6>;
+  using Map = Eigen::Map<Block6, 0, Eigen::OuterStride<12>>;
+  using ConstMap = Eigen::Map<const Block6, 0, Eigen::OuterStride<12>>;
 
-  explicit BlockTridiagonal(int nodes);
+  /// All zeros.
+  explicit BlockTridiagonal(int nodes)
+      : columns_(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(block_column_size), 0.0) {}
 
-  int nodes() const { return static_cast<int>(diagonal_.size()); }
-  void set_zero();
-  /// A := factor · A.
-  void scale(double factor);
+  int nodes() const { return static_cast<int>(columns_.size()) / block_column_size; }
+
+  /// Diagonal block of a node; its lower triangle counts.
+  Map diagonal(int node) { return Map(columns_.data() + block_column_size * node); }
+  ConstMap diagonal(int node) const { return ConstMap(columns_.data() + block_column_size * node); }
+  /// Block of rows `node` + 1 and columns `node`; the one above the diagonal is its transpose.
+  Map below(int node) { return Map(columns_.data() + block_column_size * node + 6); }
+  ConstMap below(int node) const { return ConstMap(columns_.data() + block_column_size * node + 6); }
+
+  double* data() { return columns_.data(); }
+  const double* data() const { return columns_.data(); }
+
   /// y := A x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   /// The same matrix in full, for tests and small eigenproblems.
   Eigen::MatrixXd dense() const;
 
-  Block& diagonal(int node) { return diagonal_[static_cast<std::size_t>(node)]; }
-  const Block& diagonal(int node) const { return diagonal_[static_cast<std::size_t>(node)]; }
-  /// Block of rows `node` and columns `node` + 1; the one below the diagonal is its transpose.
-  Block& upper(int node) { return upper_[static_cast<std::size_t>(node)]; }
-  const Block& upper(int node) const { return upper_[static_cast<std::size_t>(node)]; }
-
  private:
-  std::vector<Block> diagonal_;
-  std::vector<Block> upper_;
-};
-
-/// LU factors of a BlockTridiagonal with row exchanges within each block, so that an indefinite tangent (a
-/// cable in compression) is no trouble unless it is singular.
-class BlockTridiagonalLu {
- public:
-  explicit BlockTridiagonalLu(int nodes);
-
-  /// Factors A. Returns the first node whose pivot vanishes against its column or is not finite; nothing if
-  /// all is well. After a failure the factors must not be used.
-  [[nodiscard]] std::optional<int> factor(const BlockTridiagonal& A);
-
-  /// x := A⁻¹ x.
-  void solve(Eigen::VectorXd& x) const;
-
- private:
-  using Block = BlockTridiagonal::Block;
-
-  std::vector<Eigen::PartialPivLU<Block>> pivots_;  // of the eliminated diagonal blocks D
-  std::vector<Block> over_;                         // D⁻¹ · upper
+  std::vector<double> columns_;
 };
 
 }  // namespace plumb

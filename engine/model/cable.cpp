@@ -10,13 +10,18 @@ namespace plumb {
 
 Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
-      mass_per_length_(spec.cable.density * spec.cable.area),
       gravity_(spec.loads.gravity),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain, spec.cable.quadrature),
+      constants_{element_.axial_stiffness(),
+                 element_.bending_stiffness(),
+                 element_.length(),
+                 spec.cable.density * spec.cable.area,
+                 spec.cable.strain == StrainModel::green_geometric,
+                 spec.cable.quadrature == QuadratureRule::full},
       supports_(spec.supports, spec.start.direction, spec.cable.elements + 1),
-      mass_(mass_per_length_, element_.length(), elements_, supports_) {
+      mass_(constants_, elements_, supports_) {
   // A uniform acceleration is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = gravity_;
@@ -44,33 +49,21 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
 }
 
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
-  f = gravity_force_;
-  std::optional<int> collapsed;
-  for (int e = 0; e < elements_; ++e) {
-    const double least = element_.add_force(q.data() + 6 * e, f.data() + 6 * e);
-    if (!(least > slope_floor * slope_floor) && !collapsed) collapsed = e;
-  }
-  return collapsed;
+  f.resize(q.size());
+  const int collapsed =
+      best_kernels().force(constants_, elements_, q.data(), gravity_force_.data(), f.data());
+  return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
-void Cable::tangent(const Eigen::VectorXd& q, BlockTridiagonal& K) const {
-  K.set_zero();
-  Element::Matrix12 k;
-  for (int e = 0; e < elements_; ++e) {
-    element_.tangent(q.data() + 6 * e, k);
-    K.diagonal(e) += k.topLeftCorner<6, 6>();
-    K.upper(e) = k.topRightCorner<6, 6>();
-    K.diagonal(e + 1) += k.bottomRightCorner<6, 6>();
-  }
+void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
+                   BlockTridiagonal& A) const {
+  best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
 }
 
 Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
   Energies result;
   result.kinetic = mass_.kinetic_energy(v);
-  for (int e = 0; e < elements_; ++e) {
-    result.axial += element_.axial_energy(q.data() + 6 * e);
-    result.bending += element_.bending_energy(q.data() + 6 * e);
-  }
+  best_kernels().energy(constants_, elements_, q.data(), &result.axial, &result.bending);
   result.potential = -gravity_force_.dot(q);
   return result;
 }

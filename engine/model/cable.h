@@ -5,6 +5,7 @@
 
 #include "engine/input/case.h"
 #include "engine/integrate/trajectory.h"
+#include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"
 #include "engine/model/element.h"
 #include "engine/model/mass.h"
@@ -30,9 +31,11 @@ class Cable {
   int nodes() const { return elements_ + 1; }
   int size() const { return 6 * nodes(); }
   double length() const { return element_.length() * elements_; }
-  double weight() const { return mass_per_length_ * length() * gravity_.norm(); }  ///< N
+  double weight() const { return constants_.mass_per_length * length() * gravity_.norm(); }  ///< N
 
   const Element& element() const { return element_; }
+  /// The same element for the kernels.
+  const ElementConstants& constants() const { return constants_; }
   const MassMatrix& mass() const { return mass_; }
   const SupportProjection& supports() const { return supports_; }
 
@@ -46,8 +49,9 @@ class Cable {
   /// if all is well.
   std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
 
-  /// K := −∂f/∂q, without supports.
-  void tangent(const Eigen::VectorXd& q, BlockTridiagonal& K) const;
+  /// A := mass_factor · M + stiffness_factor · K(q) with K = −∂f/∂q, without supports.
+  void system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
+              BlockTridiagonal& A) const;
 
   Energies energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
 
@@ -64,9 +68,9 @@ class Cable {
   Place place(double s) const;
 
   int elements_;
-  double mass_per_length_;
   Vec3 gravity_;
   Element element_;
+  ElementConstants constants_;
   SupportProjection supports_;
   MassMatrix mass_;
   Eigen::VectorXd gravity_force_;

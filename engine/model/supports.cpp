@@ -1,13 +1,14 @@
 #include "engine/model/supports.h"
 
+#include "engine/model/block_lu.h"
 #include "engine/model/block_tridiagonal.h"
 
 namespace plumb {
 namespace {
 
 /// Projection on the admissible rates of one node.
-BlockTridiagonal::Block node_projection(Support support, const Vec3& direction) {
-  BlockTridiagonal::Block P = BlockTridiagonal::Block::Identity();
+Block6 node_projection(Support support, const Vec3& direction) {
+  Block6 P = Block6::Identity();
   if (support == Support::free) return P;
   P.topLeftCorner<3, 3>().setZero();
   if (support == Support::clamped) P.bottomRightCorner<3, 3>() = direction * direction.transpose();
@@ -35,12 +36,29 @@ void SupportProjection::apply(Eigen::VectorXd& x) const {
 void SupportProjection::apply(BlockTridiagonal& A) const {
   const auto hold = [&](Support support, int node) {
     if (support == Support::free) return;
-    const BlockTridiagonal::Block P = node_projection(support, direction_);
-    A.diagonal(node) = (P * A.diagonal(node) * P + BlockTridiagonal::Block::Identity() - P).eval();
+    const Block6 P = node_projection(support, direction_);
+    const Block6 diagonal = A.diagonal(node).selfadjointView<Eigen::Lower>();
+    A.diagonal(node) = P * diagonal * P + Block6::Identity() - P;
     if (node == 0)
-      A.upper(0) = (P * A.upper(0)).eval();
+      A.below(0) = (A.below(0) * P).eval();
     else
-      A.upper(node - 1) = (A.upper(node - 1) * P).eval();
+      A.below(node - 1) = (P * A.below(node - 1)).eval();
+  };
+  hold(supports_.first, 0);
+  hold(supports_.last, nodes_ - 1);
+}
+
+void SupportProjection::apply(GeneralBlockTridiagonal& A) const {
+  const auto hold = [&](Support support, int node) {
+    if (support == Support::free) return;
+    const Block6 P = node_projection(support, direction_);
+    Block6& diagonal = A.diagonal[static_cast<std::size_t>(node)];
+    diagonal = (P * diagonal * P + Block6::Identity() - P).eval();
+    const std::size_t beside = static_cast<std::size_t>(node == 0 ? 0 : node - 1);
+    Block6& rows = node == 0 ? A.above[beside] : A.below[beside];
+    Block6& columns = node == 0 ? A.below[beside] : A.above[beside];
+    rows = (P * rows).eval();
+    columns = (columns * P).eval();
   };
   hold(supports_.first, 0);
   hold(supports_.last, nodes_ - 1);

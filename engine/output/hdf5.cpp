@@ -110,6 +110,10 @@ void Writer::integer(const std::string& path, long value) {
   write(file_, path, H5T_NATIVE_LONG, {}, &value, "1");
 }
 
+void Writer::integers(const std::string& path, const std::vector<long>& values) {
+  write(file_, path, H5T_NATIVE_LONG, {values.size()}, values.data(), "1");
+}
+
 void Writer::text(const std::string& path, std::string_view value) {
   const std::string terminated(value);
   const char* pointer = terminated.c_str();
@@ -169,13 +173,19 @@ double Reader::number(const std::string& path) const {
   return all.values.front();
 }
 
-long Reader::integer(const std::string& path) const {
+std::vector<long> Reader::integers(const std::string& path) const {
   const OpenSet opened = open(file_, path, H5T_INTEGER);
-  if (count_of(opened.shape) != 1) throw std::runtime_error("the data set " + path + " is not one number");
-  long value = 0;
-  require(H5Dread(opened.set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value),
-          "the data set " + path + " cannot be read");
-  return value;
+  std::vector<long> values(count_of(opened.shape));
+  if (!values.empty())
+    require(H5Dread(opened.set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+            "the data set " + path + " cannot be read");
+  return values;
+}
+
+long Reader::integer(const std::string& path) const {
+  const std::vector<long> all = integers(path);
+  if (all.size() != 1) throw std::runtime_error("the data set " + path + " is not one number");
+  return all.front();
 }
 
 std::vector<std::string> Reader::texts(const std::string& path) const {

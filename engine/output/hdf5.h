@@ -25,6 +25,7 @@ class Writer {
     numbers(path, {}, &value, unit);
   }
   void integer(const std::string& path, long value);
+  void integers(const std::string& path, const std::vector<long>& values);
   void text(const std::string& path, std::string_view value);
   void texts(const std::string& path, const std::vector<std::string>& values);
 
@@ -54,6 +55,7 @@ class Reader {
   std::vector<double> numbers(const std::string& path, const std::vector<hsize_t>& shape) const;
   double number(const std::string& path) const;
   long integer(const std::string& path) const;
+  std::vector<long> integers(const std::string& path) const;
   std::string text(const std::string& path) const;
   std::vector<std::string> texts(const std::string& path) const;
 

@@ -1,20 +1,17 @@
 #include "engine/output/run_file.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
+#include "engine/output/checked_file.h"
 #include "engine/output/hdf5.h"
+#include "engine/output/stored_parts.h"
 
 namespace plumb {
 namespace {
@@ -41,20 +38,6 @@ const std::pair<const char*, double Energies::*> energy_parts[] = {
     {"energy/bending", &Energies::bending},
     {"energy/potential", &Energies::potential}};
 
-const std::pair<const char*, long Counters::*> counter_parts[] = {
-    {"counters/steps", &Counters::steps},
-    {"counters/rejected_steps", &Counters::rejected_steps},
-    {"counters/force_evaluations", &Counters::force_evaluations},
-    {"counters/tangent_evaluations", &Counters::tangent_evaluations},
-    {"counters/factorizations", &Counters::factorizations},
-    {"counters/newton_iterations", &Counters::newton_iterations}};
-
-Outcome outcome_of(const std::string& name) {
-  for (const Outcome outcome : outcomes())
-    if (word(outcome) == name) return outcome;
-  throw std::runtime_error("the outcome '" + name + "' is unknown");
-}
-
 void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   const hsize_t outputs = trajectory.times.size();
   const auto nodes = static_cast<hsize_t>(trajectory.elements + 1);
@@ -79,7 +62,8 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
     for (const Energies& e : trajectory.energies) values.push_back(e.*part);
     file.numbers(path, {outputs}, values.data(), "J");
   }
-  for (const auto& [path, part] : counter_parts) file.integer(path, trajectory.counters.*part);
+  for (const auto& [name, part] : stored_counters())
+    file.integer(fmt::format("counters/{}", name), trajectory.counters.*part);
 }
 
 /// Throws std::runtime_error where numbers read cannot be those of a run.
@@ -104,7 +88,7 @@ void check(const Trajectory& trajectory) {
 Trajectory read_trajectory(const hdf5::Reader& file) {
   constexpr long most_elements = 1000000;
   Trajectory result;
-  result.outcome = outcome_of(file.text("outcome"));
+  result.outcome = stored_outcome(file.text("outcome"));
   result.message = one_line(file.text("message"));
   const long elements = file.integer("elements");
   if (elements < 1 || elements > most_elements)
@@ -130,55 +114,10 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
     const std::vector<double> values = file.numbers(path, {outputs});
     for (std::size_t k = 0; k < outputs; ++k) result.energies[k].*part = values[k];
   }
-  for (const auto& [path, part] : counter_parts) result.counters.*part = file.integer(path);
+  for (const auto& [name, part] : stored_counters())
+    result.counters.*part = file.integer(fmt::format("counters/{}", name));
   check(result);
   return result;
-}
-
-void write_source(const CaseSource& source, hdf5::Writer& file) {
-  file.text("case/name", source.file.name);
-  file.text("case/text", source.file.text);
-  file.texts("case/overrides", source.overrides);
-  std::vector<std::string> names, texts;
-  for (const NamedText& reference : source.references) {
-    names.push_back(reference.name);
-    texts.push_back(reference.text);
-  }
-  file.texts("case/reference_names", names);
-  file.texts("case/reference_texts", texts);
-}
-
-CaseSource read_source(const hdf5::Reader& file) {
-  CaseSource source{{file.text("case/name"), file.text("case/text")}, file.texts("case/overrides"), {}};
-  const auto names = file.texts("case/reference_names"), texts = file.texts("case/reference_texts");
-  if (names.size() != texts.size()) throw std::runtime_error("its references do not have one name each");
-  for (std::size_t k = 0; k < names.size(); ++k) source.references.push_back({names[k], texts[k]});
-  return source;
-}
-
-/// Ends a run file, behind what HDF5 reads: a mark and the CRC-32 of all before it, so that a file that was
-/// cut or damaged is known before the library, which trusts what it reads, is given it.
-constexpr std::string_view mark = "plumb-crc32 ";
-constexpr std::size_t digits = 8;
-
-std::string check_sum(std::string_view bytes) {
-  return fmt::format("{:08x}", crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
-/// The HDF5 part of a run file.
-std::string read_checked(const std::string& path) {
-  const std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(std::strerror(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::string bytes = text.str();
-  const std::size_t ending = mark.size() + digits;
-  if (bytes.size() < ending || bytes.compare(bytes.size() - ending, mark.size(), mark) != 0)
-    throw std::runtime_error("it is no run file, or it was cut short");
-  const std::string sum = bytes.substr(bytes.size() - digits);
-  bytes.resize(bytes.size() - ending);
-  if (check_sum(bytes) != sum) throw std::runtime_error("it was damaged or changed after it was written");
-  return bytes;
 }
 
 }  // namespace
@@ -191,21 +130,13 @@ std::string encode_run(const Run& run) {
   write_trajectory(run.trajectory, file);
   for (const Column& column : run.probes.columns)
     file.numbers("probes/" + column.name, {column.values.size()}, column.values.data(), column.unit);
-  std::vector<std::string> names, values;
-  for (const auto& [name, value] : run.provenance) {
-    names.push_back(name);
-    values.push_back(value);
-  }
-  file.texts("provenance/names", names);
-  file.texts("provenance/values", values);
-  std::string bytes = file.bytes();
-  const std::string sum = check_sum(bytes);
-  return bytes.append(mark).append(sum);
+  write_provenance(run.provenance, file);
+  return with_check_sum(file.bytes());
 }
 
 Run read_run(const std::string& path) {
   try {
-    const std::string bytes = read_checked(path);
+    const std::string bytes = read_checked(path, "run file");
     const hdf5::Reader file(bytes);
     if (file.text("format") != format_name) throw std::runtime_error("it is no run file of Plumb");
     if (const long version = file.integer("format_version"); version < 1 || version > run_file_version)
@@ -213,9 +144,7 @@ Run read_run(const std::string& path) {
           fmt::format("its format version is {}, this program reads up to {}", version, run_file_version));
     Run run;
     run.trajectory = read_trajectory(file);
-    const auto names = file.texts("provenance/names"), values = file.texts("provenance/values");
-    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k)
-      run.provenance.emplace_back(names[k], values[k]);
+    run.provenance = read_provenance(file);
     run.loaded = load_case(read_source(file));
     if (run.loaded.spec.cable.elements != run.trajectory.elements)
       throw std::runtime_error("its states and its case have different numbers of elements");

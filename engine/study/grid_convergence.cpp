@@ -12,8 +12,7 @@ GridConvergence grid_convergence(double change21, double change32, double ratio2
   if (!(changes > std::log(std::log(ratio32) / std::log(ratio21)))) return {};
   constexpr int most_iterations = 1000;
   constexpr double tolerance = 1e-13;
-  // Started from the order of equal ratios.
-  double p = std::abs(changes) / std::log(ratio21);
+  double p = 1;
   for (int k = 0; k < most_iterations; ++k) {
     if (!(p > 0)) return {};
     const double q = std::log(std::expm1(p * std::log(ratio21)) / std::expm1(p * std::log(ratio32)));

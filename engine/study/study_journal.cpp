@@ -13,19 +13,12 @@
 
 #include "engine/errors.h"
 #include "engine/output/provenance.h"
+#include "engine/output/stored_parts.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::json;
-
-const std::pair<const char*, long Counters::*> counter_parts[] = {
-    {"steps", &Counters::steps},
-    {"rejected_steps", &Counters::rejected_steps},
-    {"force_evaluations", &Counters::force_evaluations},
-    {"tangent_evaluations", &Counters::tangent_evaluations},
-    {"factorizations", &Counters::factorizations},
-    {"newton_iterations", &Counters::newton_iterations}};
 
 std::string run_key(const MethodSpec& method, int elements) {
   std::string key = fmt::format("{} {}", elements, method.name);
@@ -63,7 +56,7 @@ ErrorNorms norms_of(const Json& json) {
 
 Json run_json(const StudyRun& run) {
   Json counters = Json::array();
-  for (const auto& [name, part] : counter_parts) counters.push_back(run.counters.*part);
+  for (const auto& [name, part] : stored_counters()) counters.push_back(run.counters.*part);
   return {{"method", method_json(run.method)},
           {"elements", run.elements},
           {"outcome", word(run.outcome)},
@@ -77,12 +70,10 @@ StudyRun run_of(const Json& json) {
   StudyRun run;
   run.method = method_of(json.at("method"));
   run.elements = json.at("elements");
-  const std::string outcome = json.at("outcome");
-  for (const Outcome known : outcomes())
-    if (word(known) == outcome) run.outcome = known;
+  run.outcome = stored_outcome(json.at("outcome"));
   run.message = json.at("message");
   std::size_t k = 0;
-  for (const auto& [name, part] : counter_parts) run.counters.*part = json.at("counters").at(k++);
+  for (const auto& [name, part] : stored_counters()) run.counters.*part = json.at("counters").at(k++);
   run.time_error = norms_of(json.at("time_error"));
   run.total_error = norms_of(json.at("total_error"));
   return run;
@@ -161,7 +152,7 @@ void StudyJournal::take(const std::string& line) {
       references_[reference.certificate.elements] = reference;
     }
     ++found_;
-  } catch (const Json::exception&) {
+  } catch (const std::exception&) {
     // Damaged: what it held is done again.
   }
 }

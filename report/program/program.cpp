@@ -40,7 +40,7 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   if (!verb.input.empty())
     command
         ->add_option(verb.input, options.input,
-                     verb.input == "CASE" ? "case file (TOML)" : "run.h5, or its folder")
+                     verb.input == "CASE" ? "case file (TOML)" : "run.h5 or study.h5, or its folder")
         ->required()
         ->type_name("");
   if (verb.takes_overrides)
@@ -53,8 +53,9 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   if (verb.takes_output)
     command
         ->add_option("-o,--output", options.output,
-                     verb.input == "CASE" ? "output folder; default: output/ and the name of the case file"
-                                          : "output folder; default: that of the run")
+                     verb.input == "CASE"
+                         ? "output folder; default: output/ and the name of the case file (and _study)"
+                         : "output folder; default: that of the run")
         ->type_name("DIR");
   if (verb.takes_csv)
     command

@@ -14,7 +14,7 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   const Run run = find_run(options.input);
   OutputFolder folder(output_path_of_run(options));
   write_run(run, folder);
-  for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md"})
+  for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5"})
     folder.keep(report_file);
   const Pictures pictures = draw_pictures(run, folder, stages, talk);
   folder.commit();

@@ -1,3 +1,4 @@
+#include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 
@@ -6,10 +7,17 @@ namespace plumb {
 ExitStatus report_verb(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
+  if (is_study(options.input)) {
+    const Study study = find_study(options.input);
+    OutputFolder folder(output_path_of_run(options));
+    return report_study(study, folder, stages, options, talk);
+  }
   const Run run = find_run(options.input);
   OutputFolder folder(output_path_of_run(options));
   write_run(run, folder);
-  return draw_and_report(run, folder, stages, options, talk);
+  const std::optional<Study> study = study_beside(options.input);
+  if (study) write_study(*study, folder);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr);
 }
 
 }  // namespace plumb

@@ -1,3 +1,4 @@
+#include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 
@@ -14,7 +15,13 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
   write_run(run, folder);
-  return draw_and_report(run, folder, stages, options, talk);
+  std::optional<Study> study;
+  if (loaded.spec.work_precision) {
+    stages.begin("study");
+    study = quick_study(loaded, talk);
+    write_study(*study, folder);
+  }
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr);
 }
 
 }  // namespace plumb

@@ -11,6 +11,8 @@ std::span<const Verb> verbs() {
       {"render", "frames, figures and animation from a finished run", "RUN", false, true, false, render_verb},
       {"report", "the report, with its pictures, from a finished run", "RUN", false, true, false,
        report_verb},
+      {"study", "work against precision: every method over steps, tolerances and meshes", "CASE", true, true,
+       false, study_verb},
       {"check", "say whether a case is valid, without running it", "CASE", true, false, false, check_verb},
       {"doctor", "what was found on this machine: renderer, libraries, methods", "", false, false, false,
        doctor_verb}};

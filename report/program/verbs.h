@@ -25,6 +25,7 @@ ExitStatus run_verb(const Options& options, Talk& talk);
 ExitStatus solve_verb(const Options& options, Talk& talk);
 ExitStatus render_verb(const Options& options, Talk& talk);
 ExitStatus report_verb(const Options& options, Talk& talk);
+ExitStatus study_verb(const Options& options, Talk& talk);
 ExitStatus check_verb(const Options& options, Talk& talk);
 ExitStatus doctor_verb(const Options& options, Talk& talk);
 

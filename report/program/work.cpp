@@ -29,15 +29,6 @@ std::string write_report(const Results& results, const Pictures& pictures, Outpu
   return json;
 }
 
-void say_verdicts(const Results& results, Talk& talk) {
-  for (const Verdict& verdict : results.verdicts) {
-    const std::string status = fmt::format("{:<7}", word(verdict.status));
-    talk.line(fmt::format("  {} {:<12} {:<18} {}",
-                          verdict.status == VerdictStatus::passed ? talk.good(status) : talk.bad(status),
-                          word(verdict.kind), verdict.name, verdict.message));
-  }
-}
-
 /// 0, 1 or 4 by outcome and verdicts.
 ExitStatus status_of(const Results& results) {
   if (!results.solved()) return ExitStatus::solver_failed;
@@ -45,6 +36,15 @@ ExitStatus status_of(const Results& results) {
 }
 
 }  // namespace
+
+void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk) {
+  for (const Verdict& verdict : verdicts) {
+    const std::string status = fmt::format("{:<7}", word(verdict.status));
+    talk.line(fmt::format("  {} {:<12} {:<18} {}",
+                          verdict.status == VerdictStatus::passed ? talk.good(status) : talk.bad(status),
+                          word(verdict.kind), verdict.name, verdict.message));
+  }
+}
 
 LoadedCase load(const Options& options, Talk& talk) {
   LoadedCase loaded = load_case(options.input, options.overrides);
@@ -81,7 +81,7 @@ std::string output_path_of_run(const Options& options) {
   std::error_code ignored;
   const fs::path path = options.input;
   if (fs::is_directory(path, ignored)) return path.string();
-  if (path.filename() != run_file_name)
+  if (path.filename() != run_file_name && path.filename() != "study.h5")
     throw UsageError(options.input + " is not named run.h5: name the output folder with -o");
   return fs::absolute(path).parent_path().string();
 }
@@ -112,14 +112,14 @@ void say_stages(const Stages& stages, Talk& talk) {
 }
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk) {
+                           Talk& talk, const Study* study) {
   const Pictures pictures = draw_pictures(run, folder, stages, talk);
-  const Results results = evaluate(run, stages);
+  const Results results = evaluate(run, stages, study);
   stages.begin("report");
   const std::string json = write_report(results, pictures, folder);
   folder.commit();
   stages.end();
-  say_verdicts(results, talk);
+  say_verdicts(results.verdicts, talk);
   talk.line(headline(results));
   say_stages(stages, talk);
   talk.line("report: " + folder.path() + "/index.html");

@@ -31,12 +31,14 @@ std::string output_path_of_run(const Options& options);
 /// Writes run.h5 and probes.csv.
 void write_run(const Run& run, OutputFolder& folder);
 
+void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
+
 /// Draws with a progress bar.
 Pictures draw_pictures(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk);
+                           Talk& talk, const Study* study = nullptr);
 
 /// Says where the time went, and the peak memory.
 void say_stages(const Stages& stages, Talk& talk);

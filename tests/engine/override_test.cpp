@@ -90,6 +90,22 @@ TEST(Override, OfTheMethodAsksForAStepWhereTheFileHasNone) {
   EXPECT_EQ(load_case(source).spec.method.step, 1e-3);
 }
 
+TEST(Override, OfAStepTakesThePlaceOfTheTolerancesOfTheFileAndTheOtherWayRound) {
+  CaseSource source = small_case();
+  source.overrides = {"method.rtol=1e-5"};
+  const LoadedCase tolerances = load_case(source);
+  EXPECT_EQ(tolerances.spec.method.step, std::nullopt);
+  EXPECT_EQ(tolerances.spec.method.rtol, 1e-5);
+  EXPECT_EQ(tolerances.remarks.front(),
+            "method.step = 1e-3 of the file is not used by generalized-alpha with tolerances");
+  source.file.text = with(source.file.text, "step = 1e-3", "rtol = 1e-3\natol = 1e-4");
+  source.overrides = {"method.step=1e-4"};
+  const LoadedCase step = load_case(source);
+  EXPECT_EQ(step.spec.method.step, 1e-4);
+  EXPECT_EQ(step.spec.method.rtol, std::nullopt);
+  EXPECT_EQ(step.remarks.size(), 2U);
+}
+
 TEST(Override, MayHoldAnEqualsSign) {
   EXPECT_EQ(small_set({"title=a = b"}).spec.title, "a = b");
 }

@@ -14,8 +14,8 @@ namespace {
 std::vector<double> frequencies(const Case& spec, int axis) {
   const Cable cable(spec);
   BlockTridiagonal K(cable.nodes()), M(cable.nodes());
-  cable.tangent(cable.start_q(spec.start), K);
-  cable.mass().add_to(M, 1);
+  cable.system(cable.start_q(spec.start), 0, 1, K);
+  cable.system(cable.start_q(spec.start), 1, 0, M);
   std::vector<int> kept;
   for (int i = axis; i < cable.size(); i += 3) {
     Eigen::VectorXd unit = Eigen::VectorXd::Unit(cable.size(), i);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace plumb {
+
+/// Chooses steps so that the estimated error of each is within the tolerances: a proportional-integral
+/// control (Gustafsson 1991; Hairer and Wanner 1996, section IV.2).
+class StepControl {
+ public:
+  /// An error in position is held against rtol L + atol, one in a slope against rtol + atol: fixed scales, so
+  /// that a coordinate that passes through 0 costs no steps. `order` of the method; L in m.
+  StepControl(double rtol, double atol, double length, int order);
+
+  /// Size of an error in q against the tolerances; 1 is just allowed.
+  double size(const Eigen::VectorXd& error) const;
+
+  /// The first step for accelerations a at the start, s; `end` is the end of the run, s.
+  double first_step(const Eigen::VectorXd& a, double end) const;
+
+  /// The step after one of h whose error had this size, accepted (≤ 1) or not.
+  double next(double h, double size);
+
+  /// The step after one of h that could not be completed.
+  static double after_failure(double h) { return h / 4; }
+
+ private:
+  double position_scale_;  // m
+  double slope_scale_;
+  double exponent_;
+  double last_ = 1;
+};
+
+}  // namespace plumb

@@ -1,0 +1,78 @@
+#include "engine/integrate/structural_method.h"
+
+#include <utility>
+
+#include "engine/integrate/newton.h"
+
+namespace plumb {
+
+StructuralMethod::StructuralMethod(const StructuralScheme& scheme, const MethodSpec& spec, Dynamics& dynamics,
+                                   const State& start)
+    : OneStepMethod(spec, scheme.order, dynamics, start), scheme_(scheme), stage_(spec, dynamics) {
+  // A start from anything but the true acceleration costs an order.
+  dynamics.acceleration(start.q, a_);
+  if (scheme_.force_old != 0) dynamics.force(start.q, old_force_);
+  // What is wrong with the start itself is found by the first step.
+  dynamics.take_collapsed();
+}
+
+StepResult StructuralMethod::advance(double h, const State& from, State& to) {
+  const StructuralScheme& s = scheme_;
+  h_ = h;
+  const double h2 = h * h;
+  base_ = from.q + (s.point * h) * from.v;
+  if (s.position_old != 0) base_ += (s.point * h2 * s.position_old) * a_;
+  const bool has_known = s.mass_old != 0 || s.force_old != 0;
+  if (s.mass_old != 0) {
+    dynamics().cable().mass().multiply(a_, known_);
+    known_ *= -s.mass_old;
+  } else if (has_known) {
+    known_.setZero(from.q.size());
+  }
+  if (s.force_old != 0) known_ += s.force_old * old_force_;
+
+  next_a_ = a_;
+  const StageEquation equation{.base = base_,
+                               .reach = s.point * h2 * s.position_new,
+                               .force = s.force_new,
+                               .mass = s.mass_new,
+                               .known = has_known ? &known_ : nullptr,
+                               .position = h2 * s.position_new};
+  if (StepResult result = stage_.solve(equation, next_a_); !result.ok()) return result;
+  to.q = from.q + h * from.v + (h2 * s.position_new) * next_a_;
+  to.v = from.v + (h * s.velocity_new) * next_a_;
+  if (s.position_old != 0) to.q += (h2 * s.position_old) * a_;
+  if (s.velocity_old != 0) to.v += (h * s.velocity_old) * a_;
+  if (s.force_old != 0) dynamics().force(to.q, force_);
+  return {};
+}
+
+void StructuralMethod::estimate_error(double h, const State&, const State&, Eigen::VectorXd& e) {
+  if (scheme_.order == 1) {
+    e = (scheme_.error * h * h) * next_a_;
+    return;
+  }
+  // x and a₀ lie this far apart.
+  const double between = scheme_.time * h + (1 - scheme_.time) * last_h_;
+  e = (scheme_.error * h * h * h / between) * (next_a_ - a_);
+}
+
+void StructuralMethod::accept() {
+  std::swap(a_, next_a_);
+  std::swap(old_force_, force_);
+  last_h_ = h_;
+}
+
+MethodInfo structural_info() {
+  MethodInfo info;
+  info.order = "2";
+  info.conserves = "momentum";
+  info.family = MethodFamily::structural;
+  info.implicit = true;
+  info.takes_step = true;
+  info.takes_tolerances = true;
+  info.parameters = newton_parameters();
+  return info;
+}
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#include "engine/integrate/structural_method.h"
+
+namespace plumb {
+namespace {
+
+/// The trapezoidal rule: Newmark's method (1959) with β = ¼ and γ = ½,
+///   M aₙ₊₁ = f(qₙ₊₁),  qₙ₊₁ = qₙ + h vₙ + ¼h² (aₙ + aₙ₊₁),  vₙ₊₁ = vₙ + ½h (aₙ + aₙ₊₁).
+/// It keeps the energy of every linear oscillation, and of no nonlinear one.
+constexpr StructuralScheme scheme{.position_old = 0.25,
+                                  .position_new = 0.25,
+                                  .velocity_old = 0.5,
+                                  .velocity_new = 0.5,
+                                  .error = 0.25 - 1.0 / 6};
+
+}  // namespace
+
+MethodEntry trapezoidal_entry() {
+  MethodInfo info = structural_info();
+  info.name = "trapezoidal";
+  info.summary = "trapezoidal rule: Newmark with β = 1/4, γ = 1/2";
+  info.source = "Newmark 1959";
+  info.use = "short runs with small steps; it can gain energy without bound on stiff cables";
+  return {info,
+          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
+            return std::make_unique<StructuralMethod>(scheme, spec, dynamics, start);
+          }};
+}
+
+}  // namespace plumb

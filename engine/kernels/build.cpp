@@ -1,0 +1,39 @@
+// Built once for each instruction set; PLUMB_KERNELS names the table that this build defines.
+#include "engine/kernels/block_factors.h"
+#include "engine/kernels/chain.h"
+#include "engine/kernels/mass_band.h"
+
+namespace plumb::kernels {
+namespace {
+
+/// The instance for the strain model and quadrature of a chain.
+#define PLUMB_CHOOSE(function, element, ...)                                        \
+  ((element).green ? ((element).full ? function<true, true>(element, __VA_ARGS__)   \
+                                     : function<true, false>(element, __VA_ARGS__)) \
+                   : ((element).full ? function<false, true>(element, __VA_ARGS__)  \
+                                     : function<false, false>(element, __VA_ARGS__)))
+
+int force(const ElementConstants& element, int elements, const double* q, const double* base, double* f) {
+  return PLUMB_CHOOSE(chain_force, element, elements, q, base, f);
+}
+
+void energy(const ElementConstants& element, int elements, const double* q, double* axial, double* bending) {
+  PLUMB_CHOOSE(chain_energy, element, elements, q, axial, bending);
+}
+
+void system(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
+            const double* q, double* block_columns) {
+  ElementConstants scaled = element;
+  scaled.axial_stiffness *= stiffness_factor;
+  scaled.bending_stiffness *= stiffness_factor;
+  scaled.mass_per_length *= mass_factor;
+  PLUMB_CHOOSE(chain_system, scaled, elements, q, block_columns);
+}
+
+}  // namespace
+
+extern const Kernels PLUMB_KERNELS;
+const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET, force,         energy, system, factor, solve, mass_solve,
+                            mass_multiply,         kinetic_energy};
+
+}  // namespace plumb::kernels

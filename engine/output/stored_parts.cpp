@@ -1,0 +1,68 @@
+#include "engine/output/stored_parts.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plumb {
+namespace {
+
+constexpr std::pair<const char*, long Counters::*> counter_parts[] = {
+    {"steps", &Counters::steps},
+    {"rejected_steps", &Counters::rejected_steps},
+    {"force_evaluations", &Counters::force_evaluations},
+    {"tangent_evaluations", &Counters::tangent_evaluations},
+    {"factorizations", &Counters::factorizations},
+    {"newton_iterations", &Counters::newton_iterations}};
+
+}  // namespace
+
+std::span<const std::pair<const char*, long Counters::*>> stored_counters() {
+  return counter_parts;
+}
+
+Outcome stored_outcome(const std::string& name) {
+  for (const Outcome outcome : outcomes())
+    if (word(outcome) == name) return outcome;
+  throw std::runtime_error("the outcome '" + name + "' is unknown");
+}
+
+void write_source(const CaseSource& source, hdf5::Writer& file) {
+  file.text("case/name", source.file.name);
+  file.text("case/text", source.file.text);
+  file.texts("case/overrides", source.overrides);
+  std::vector<std::string> names, texts;
+  for (const NamedText& reference : source.references) {
+    names.push_back(reference.name);
+    texts.push_back(reference.text);
+  }
+  file.texts("case/reference_names", names);
+  file.texts("case/reference_texts", texts);
+}
+
+CaseSource read_source(const hdf5::Reader& file) {
+  CaseSource source{{file.text("case/name"), file.text("case/text")}, file.texts("case/overrides"), {}};
+  const auto names = file.texts("case/reference_names"), texts = file.texts("case/reference_texts");
+  if (names.size() != texts.size()) throw std::runtime_error("its references do not have one name each");
+  for (std::size_t k = 0; k < names.size(); ++k) source.references.push_back({names[k], texts[k]});
+  return source;
+}
+
+void write_provenance(const Provenance& provenance, hdf5::Writer& file) {
+  std::vector<std::string> names, values;
+  for (const auto& [name, value] : provenance) {
+    names.push_back(name);
+    values.push_back(value);
+  }
+  file.texts("provenance/names", names);
+  file.texts("provenance/values", values);
+}
+
+Provenance read_provenance(const hdf5::Reader& file) {
+  Provenance provenance;
+  const auto names = file.texts("provenance/names"), values = file.texts("provenance/values");
+  for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k)
+    provenance.emplace_back(names[k], values[k]);
+  return provenance;
+}
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/verdict.h"
+
+namespace plumb {
+
+/// A test case of junit.xml.
+struct JunitCase {
+  std::string name;
+  VerdictStatus status;
+  std::string message;
+  double seconds = 0;
+};
+
+struct JunitSuite {
+  std::string name;
+  std::vector<JunitCase> cases;
+};
+
+/// A suite for each kind of verdict that there is.
+std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts);
+
+/// The text of junit.xml; `name` is that of the whole.
+std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& suites);
+
+}  // namespace plumb

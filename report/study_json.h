@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/study/work_precision.h"
+
+namespace plumb {
+
+/// The `work_precision` of results.json: runs, curves, fronts, cheapest runs, references, mesh and provenance
+/// of a study. Keys as in output/README.md.
+nlohmann::ordered_json work_precision_json(const WorkPrecision& study);
+
+}  // namespace plumb

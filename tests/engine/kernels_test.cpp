@@ -1,0 +1,215 @@
+#include "engine/kernels/kernels.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "engine/model/element.h"
+#include "engine/model/hermite.h"
+
+namespace plumb {
+namespace {
+
+constexpr double EA = 40, EI = 7.96e-5, cable_length = 1, mass_per_length = 8e-3;
+
+/// A chain of elements, straight but for `spread` (a share of the element length, and of the unit slope).
+Eigen::VectorXd chain(int elements, double spread, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const double l = cable_length / elements;
+  Eigen::VectorXd q(6 * (elements + 1));
+  for (int node = 0; node <= elements; ++node)
+    for (int k = 0; k < 3; ++k) {
+      q[6 * node + k] = (k == 0 ? node * l : 0) + spread * l * unit(generator);
+      q[6 * node + 3 + k] = (k == 0 ? 1 : 0) + spread * unit(generator);
+    }
+  return q;
+}
+
+using Model = std::tuple<StrainModel, QuadratureRule>;
+
+class KernelsOf : public testing::TestWithParam<Model> {
+ protected:
+  Element element(int elements) const {
+    return {EA, EI, cable_length / elements, std::get<0>(GetParam()), std::get<1>(GetParam())};
+  }
+  ElementConstants constants(int elements) const {
+    return {EA,
+            EI,
+            cable_length / elements,
+            mass_per_length,
+            std::get<0>(GetParam()) == StrainModel::green_geometric,
+            std::get<1>(GetParam()) == QuadratureRule::full};
+  }
+};
+
+// Lengths that fill vectors of four and lengths that leave one to three elements over.
+constexpr int lengths[] = {1, 2, 3, 4, 5, 6, 7, 8, 13, 64};
+
+TEST_P(KernelsOf, ForceIsThatOfTheElementsOneByOne) {
+  for (const int n : lengths)
+    for (const double spread : {0.0, 1e-6, 0.1, 0.4}) {
+      const Eigen::VectorXd q = chain(n, spread, 11), base = Eigen::VectorXd::LinSpaced(q.size(), -1, 1);
+      Eigen::VectorXd expected = base, f(q.size());
+      const Element one = element(n);
+      for (int e = 0; e < n; ++e) one.add_force(q.data() + 6 * e, expected.data() + 6 * e);
+      EXPECT_EQ(best_kernels().force(constants(n), n, q.data(), base.data(), f.data()), -1);
+      EXPECT_LE((f - expected).lpNorm<Eigen::Infinity>(), 2e-13 * (EA + expected.lpNorm<Eigen::Infinity>()))
+          << n << " elements, spread " << spread;
+    }
+}
+
+/// mass_factor M + stiffness_factor K, assembled from single elements.
+Eigen::MatrixXd assembled(const Element& one, int n, const Eigen::VectorXd& q, double mass_factor,
+                          double stiffness_factor) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(q.size(), q.size());
+  Element::Matrix12 k;
+  for (int e = 0; e < n; ++e) {
+    one.tangent(q.data() + 6 * e, k);
+    sum.block<12, 12>(6 * e, 6 * e) += stiffness_factor * k;
+    // ∫ ρA sᵢsⱼ dx by a rule that is exact for degree 6 and more.
+    for (const QuadraturePoint& p : gauss_rule(5)) {
+      const auto shape = Hermite::values(p.x, one.length());
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+          sum.block<3, 3>(6 * e + 3 * i, 6 * e + 3 * j).diagonal().array() +=
+              mass_factor * mass_per_length * one.length() * p.weight * shape[static_cast<std::size_t>(i)] *
+              shape[static_cast<std::size_t>(j)];
+    }
+  }
+  return sum;
+}
+
+/// The symmetric matrix of which block columns hold the lower triangle.
+Eigen::MatrixXd full(const std::vector<double>& columns) {
+  const auto nodes = static_cast<int>(columns.size()) / block_column_size;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(6 * nodes, 6 * nodes);
+  for (int node = 0; node < nodes; ++node) {
+    const int rows = node + 1 < nodes ? 12 : 6;
+    const Eigen::Map<const Eigen::Matrix<double, 12, 6>> column(columns.data() + block_column_size * node);
+    A.block(6 * node, 6 * node, rows, 6) = column.topRows(rows);
+  }
+  return A.selfadjointView<Eigen::Lower>();
+}
+
+std::vector<double> block_columns(int elements) {
+  return std::vector<double>(static_cast<std::size_t>(block_column_size * (elements + 1)), 7);
+}
+
+TEST_P(KernelsOf, SystemIsThatOfTheElementsOneByOne) {
+  for (const int n : lengths)
+    for (const double spread : {0.0, 1e-6, 0.1, 0.4})
+      for (const auto& [mass_factor, stiffness_factor] :
+           {std::pair{0.0, 1.0}, std::pair{1.0, 0.0}, std::pair{2.0, 1e-6}}) {
+        const Eigen::VectorXd q = chain(n, spread, 12);
+        const Eigen::MatrixXd expected = assembled(element(n), n, q, mass_factor, stiffness_factor);
+        std::vector<double> columns = block_columns(n);
+        best_kernels().system(constants(n), mass_factor, stiffness_factor, n, q.data(), columns.data());
+        const Eigen::MatrixXd seen = full(columns);
+        EXPECT_LE((seen - expected).lpNorm<Eigen::Infinity>(), 2e-13 * expected.lpNorm<Eigen::Infinity>())
+            << n << " elements, spread " << spread << ", " << mass_factor << " M + " << stiffness_factor
+            << " K";
+      }
+}
+
+TEST_P(KernelsOf, FactorsSolveThePositiveDefiniteSystem) {
+  for (const int n : lengths) {
+    const Eigen::VectorXd q = chain(n, 0.02, 16), expected = Eigen::VectorXd::LinSpaced(q.size(), -1, 2);
+    std::vector<double> columns = block_columns(n);
+    best_kernels().system(constants(n), 1, 1e-6, n, q.data(), columns.data());
+    const Eigen::MatrixXd A = full(columns);
+    Eigen::VectorXd x = A * expected;
+    ASSERT_EQ(best_kernels().factor(n + 1, columns.data()), -1) << n << " elements";
+    best_kernels().solve(n + 1, columns.data(), x.data());
+    EXPECT_LE((A * (x - expected)).norm(), 1e-11 * (A * expected).norm()) << n << " elements";
+    EXPECT_LE((x - expected).norm(), 1e-6 * expected.norm()) << n << " elements";
+  }
+}
+
+TEST_P(KernelsOf, AMatrixThatIsNotPositiveDefiniteIsToldByItsNode) {
+  for (const int n : lengths)
+    for (int bad = 0; bad <= n; ++bad)
+      for (const double entry : {-1.0, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+        std::vector<double> columns = block_columns(n);
+        best_kernels().system(constants(n), 1, 0, n, chain(n, 0, 1).data(), columns.data());
+        columns[static_cast<std::size_t>(block_column_size * bad + 12 * 4 + 4)] = entry;
+        EXPECT_EQ(best_kernels().factor(n + 1, columns.data()), bad) << n << " elements, " << entry;
+      }
+}
+
+TEST_P(KernelsOf, EnergyIsThatOfTheElementsOneByOne) {
+  for (const int n : lengths)
+    for (const double spread : {0.0, 0.1, 0.4}) {
+      const Eigen::VectorXd q = chain(n, spread, 13);
+      double axial = -1, bending = -1, expected_axial = 0, expected_bending = 0;
+      const Element one = element(n);
+      for (int e = 0; e < n; ++e) {
+        expected_axial += one.axial_energy(q.data() + 6 * e);
+        expected_bending += one.bending_energy(q.data() + 6 * e);
+      }
+      best_kernels().energy(constants(n), n, q.data(), &axial, &bending);
+      EXPECT_NEAR(axial, expected_axial, 1e-13 * (EA * 1e-3 + expected_axial)) << n << " elements";
+      EXPECT_NEAR(bending, expected_bending, 1e-12 * (EI + expected_bending)) << n << " elements";
+    }
+}
+
+TEST_P(KernelsOf, ResultsAreTheSameBitsOnEveryInstructionSet) {
+  if (v3_kernels() == nullptr) GTEST_SKIP() << "this processor has no AVX2: there is nothing to compare";
+  for (const int n : lengths) {
+    const Eigen::VectorXd q = chain(n, 0.3, 14), base = Eigen::VectorXd::Zero(q.size());
+    Eigen::VectorXd f = base, other = base;
+    std::vector<double> k = block_columns(n), l = k;
+    Eigen::VectorXd x = q, y = q;
+    double energies[4] = {};
+    plain_kernels().force(constants(n), n, q.data(), base.data(), f.data());
+    v3_kernels()->force(constants(n), n, q.data(), base.data(), other.data());
+    plain_kernels().system(constants(n), 1, 1e-6, n, q.data(), k.data());
+    v3_kernels()->system(constants(n), 1, 1e-6, n, q.data(), l.data());
+    EXPECT_EQ(k, l) << n << " elements";
+    EXPECT_EQ(plain_kernels().factor(n + 1, k.data()), v3_kernels()->factor(n + 1, l.data()));
+    EXPECT_EQ(k, l) << n << " elements, factored";
+    plain_kernels().solve(n + 1, k.data(), x.data());
+    v3_kernels()->solve(n + 1, l.data(), y.data());
+    EXPECT_EQ(x, y) << n << " elements, solved";
+    plain_kernels().energy(constants(n), n, q.data(), energies, energies + 1);
+    v3_kernels()->energy(constants(n), n, q.data(), energies + 2, energies + 3);
+    EXPECT_EQ(f, other) << n << " elements: forces differ by " << (f - other).lpNorm<Eigen::Infinity>();
+    EXPECT_EQ(energies[0], energies[2]);
+    EXPECT_EQ(energies[1], energies[3]);
+  }
+}
+
+TEST_P(KernelsOf, ACollapsedSlopeOrANumberThatIsNoneIsToldByItsElement) {
+  for (const int n : lengths)
+    for (int bad = 0; bad < n; ++bad) {
+      const Eigen::VectorXd base = Eigen::VectorXd::Zero(6 * (n + 1));
+      Eigen::VectorXd q = chain(n, 0.1, 15), f = base;
+      q[6 * bad + 7] = std::numeric_limits<double>::quiet_NaN();  // the end that it shares with the next
+      EXPECT_EQ(best_kernels().force(constants(n), n, q.data(), base.data(), f.data()), bad)
+          << n << " elements";
+      q = chain(n, 0, 15);
+      q.segment<12>(6 * bad).setZero();  // r' = 0 all along the element
+      for (int node = bad + 2; node <= n; ++node) q.segment<3>(6 * node) += Vec3(0, 1, 0);
+      const int first = best_kernels().force(constants(n), n, q.data(), base.data(), f.data());
+      // A point of the reduced rule is on the node that the element before shares.
+      EXPECT_TRUE(first == bad || (std::get<1>(GetParam()) == QuadratureRule::reduced && first == bad - 1))
+          << n << " elements: " << first << " instead of " << bad;
+      EXPECT_TRUE(f.allFinite());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, KernelsOf,
+                         testing::Combine(testing::Values(StrainModel::green_geometric,
+                                                          StrainModel::engineering_material),
+                                          testing::Values(QuadratureRule::full, QuadratureRule::reduced)),
+                         [](const testing::TestParamInfo<Model>& tested) {
+                           return std::string(std::get<0>(tested.param) == StrainModel::green_geometric
+                                                  ? "Green"
+                                                  : "Engineering") +
+                                  (std::get<1>(tested.param) == QuadratureRule::full ? "Full" : "Reduced");
+                         });
+
+}  // namespace
+}  // namespace plumb
