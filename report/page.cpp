@@ -7,6 +7,7 @@
 #include "engine/integrate/method_info.h"
 #include "report/page_template.h"
 #include "report/study_page.h"
+#include "report/verdict_table.h"
 
 namespace plumb {
 
@@ -21,37 +22,6 @@ using kainjow::mustache::data;
 
 std::string number(double value) {
   return fmt::format("{:.4g}", value);
-}
-
-data verdict_rows(const Results& results) {
-  std::vector<const Verdict*> order;
-  for (const Verdict& verdict : results.verdicts) order.push_back(&verdict);
-  // What failed comes first, then what was not run.
-  std::stable_sort(order.begin(), order.end(), [](const Verdict* a, const Verdict* b) {
-    const auto rank = [](const Verdict* v) {
-      return v->status == VerdictStatus::failed ? 0 : v->status == VerdictStatus::not_run ? 1 : 2;
-    };
-    return rank(a) < rank(b);
-  });
-  data rows{data::type::list};
-  for (const Verdict* verdict : order) {
-    data row;
-    row["status"] = std::string(word(verdict->status));
-    row["class"] = verdict->status == VerdictStatus::passed   ? "passed"
-                   : verdict->status == VerdictStatus::failed ? "failed"
-                                                              : "not-run";
-    row["kind"] = std::string(word(verdict->kind));
-    row["name"] = verdict->name;
-    row["criterion"] = verdict->criterion;
-    row["found"] =
-        verdict->status == VerdictStatus::not_run ? "not run" : number(verdict->value) + " " + verdict->unit;
-    row["share"] = verdict->status == VerdictStatus::not_run
-                       ? "–"
-                       : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
-    row["detail"] = verdict->detail;
-    rows.push_back(row);
-  }
-  return rows;
 }
 
 data error_rows(const Results& results) {
@@ -187,7 +157,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["message"] = trajectory.message;
   page["outcome"] = std::string(word(trajectory.outcome));
   page["has_verdicts"] = !results.verdicts.empty();
-  page["verdicts"] = verdict_rows(results);
+  page["verdicts"] = verdict_table(results.verdicts);
   page["has_errors"] = !results.errors.empty();
   page["errors"] = error_rows(results);
   page["references"] = reference_rows(results);

@@ -13,6 +13,7 @@
 #include "report/study_chart_data.h"
 #include "report/study_figures.h"
 #include "report/study_lines.h"
+#include "report/verdict_table.h"
 
 namespace plumb {
 
@@ -298,17 +299,6 @@ std::string from_hex(std::string_view hex) {
   return bytes;
 }
 
-/// The study in one sentence: the cheapest way to the finest decade of each question.
-std::string headline(const WorkPrecision& study) {
-  std::string text;
-  if (!study.time_cheapest.empty())
-    text += "Time integration alone, cheapest " + study.time_cheapest.back().in_words + ".";
-  if (!study.total_cheapest.empty())
-    text += fmt::format("{}With the error of the mesh, cheapest {}.", text.empty() ? "" : " ",
-                        study.total_cheapest.back().in_words);
-  return text.empty() ? "No run came close enough to compare methods." : text;
-}
-
 }  // namespace
 
 std::string study_section(const WorkPrecision& study, const std::vector<Picture>& pictures) {
@@ -347,18 +337,31 @@ std::string study_script_policy() {
                      base64(from_hex(study_js_sha256)));
 }
 
-std::string to_study_page(const WorkPrecision& study, const std::vector<Picture>& pictures) {
+std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures) {
+  const WorkPrecision& study = results.study.result;
+  const CaseSource& source = results.study.loaded.source;
   data page;
   page["title"] = study.title;
   page["css"] = std::string(page_css) + std::string(study_css);
   page["script_policy"] = study_script_policy();
-  page["has_headline"] = true;
-  page["headline"] = headline(study);
-  page["good"] = !study.time_cheapest.empty() || !study.total_cheapest.empty();
+  page["headline"] = headline(results);
+  page["good"] = results.any_completed() && all_passed(results.verdicts);
   page["has_orders"] = !study_lines(study, StudyQuestion::time).empty();
   page["has_mesh"] = study.mesh.has_value();
   page["section"] = study_section(study, pictures);
+  page["has_verdicts"] = !results.verdicts.empty();
+  page["verdicts"] = verdict_table(results.verdicts);
+  page["case_name"] = source.file.name;
+  page["case_text"] = source.file.text;
+  data overrides{data::type::list};
+  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
+  page["has_overrides"] = !source.overrides.empty();
+  page.set("overrides", overrides);
   page["provenance"] = pair_rows(study.provenance);
+  std::vector<std::pair<std::string, std::string>> stages;
+  for (const auto& [name, seconds] : results.stages.all())
+    stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
+  page["stages"] = pair_rows(stages);
   page["scripts"] = study_scripts(study);
   return fill_in(study_page_mustache, page);
 }

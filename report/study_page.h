@@ -5,6 +5,7 @@
 
 #include "engine/study/work_precision.h"
 #include "report/pictures.h"
+#include "report/study_results.h"
 
 namespace plumb {
 
@@ -19,6 +20,6 @@ std::string study_scripts(const WorkPrecision& study);
 std::string study_script_policy();
 
 /// The page of `plumb study`: one file that opens offline.
-std::string to_study_page(const WorkPrecision& study, const std::vector<Picture>& pictures);
+std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures);
 
 }  // namespace plumb
