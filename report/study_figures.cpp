@@ -89,7 +89,8 @@ class WorkFigure {
                        : "Total error against work, all meshes";
     figure.alt = alt_text();
     figure.plot.title = figure.title;
-    figure.plot.height = 1500;
+    figure.plot.width = 2000;
+    figure.plot.height = 1600;
     figure.plot.panels.push_back(std::move(panel));
     return figure;
   }
@@ -150,7 +151,7 @@ class WorkFigure {
     for (const std::size_t k : front_of(study_, question_))
       if (fate(k) == RunFate::good && work(k) > 0) add(front, work(k), error(k));
     if (front.x.empty()) return;
-    front.label = "Pareto front of all methods";
+    front.label = "Pareto front";
     front.color = front_color;
     front.line_width = 3.5;
     panel.series.push_back(std::move(front));
@@ -308,7 +309,8 @@ Figure order_figure(const WorkPrecision& study) {
       "the parts that the orders were fitted to drawn wide. {}",
       seen.empty() ? "No order could be observed." : "Observed orders:" + seen + ".");
   figure.plot.title = figure.title;
-  figure.plot.height = 1500;
+  figure.plot.width = 2000;
+  figure.plot.height = 1600;
   figure.plot.panels.push_back(std::move(panel));
   return figure;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -98,7 +99,8 @@ std::string drawn_in_words(const WorkPrecision& study, StudyQuestion question) {
                                        drawn, counted(static_cast<long>(all), "curve", "curves"))
                                  : "";
   text += fmt::format(
-      " Crosses at the upper edge are runs that failed; those in a circle are stable, but more than {:g} % "
+      " The wide line is the Pareto front of what is shown. Crosses at the upper edge are runs that failed; "
+      "those in a circle are stable, but more than {:g} % "
       "of "
       "the length off.",
       100 * wrong_beyond);
@@ -132,7 +134,7 @@ data question_values(const WorkPrecision& study, StudyQuestion question,
   data cheapest{data::type::list};
   for (const CheapestRun& entry : time ? study.time_cheapest : study.total_cheapest) {
     data row = run_row(study, labels[entry.run], entry.run, question);
-    row["decade"] = fmt::format("{:.0e} m", entry.error);
+    row["decade"] = fmt::format("1e{} m", std::lround(std::log10(entry.error)));
     cheapest.push_back(row);
   }
   values["has_cheapest"] = !(time ? study.time_cheapest : study.total_cheapest).empty();

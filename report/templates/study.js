@@ -24,10 +24,14 @@
   };
   const seconds = (v) => (v < 1 ? `${number(1e3 * v)} ms` : `${number(v)} s`);
   const least = (values) => (values.length ? Math.min(...values) : null);
-  const tick = (value) => {
-    const power = Math.round(Math.log10(value));
-    if (Math.abs(value / 10 ** power - 1) > 1e-9) return "";
-    return power >= -2 && power <= 3 ? String(Number(value.toPrecision(1))) : `10${superscript(power)}`;
+  const isPower = (value) => Math.abs(value / 10 ** Math.round(Math.log10(value)) - 1) < 1e-9;
+  // Powers of ten, plain where all that the axis shows are short; between two of them, also 2 and 5 times.
+  const tick = (value, [lo, hi]) => {
+    const few = Math.floor(Math.log10(hi)) - Math.ceil(Math.log10(lo)) < 1;
+    const digit = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
+    if (!isPower(value) && !(few && [2, 5].some((d) => Math.abs(digit / d - 1) < 1e-9))) return "";
+    if (lo >= 1e-3 && hi < 1e4) return String(Number(value.toPrecision(1)));
+    return isPower(value) ? `10${superscript(Math.round(Math.log10(value)))}` : number(value);
   };
 
   // ---- what is shown of a run
@@ -130,6 +134,7 @@
       this.canvas = this.box.querySelector("canvas");
       this.tip = figure.querySelector(".chart-tip");
       this.addControls();
+      this.setRanges();
       this.controls.hidden = this.box.hidden = false;
       for (const picture of figure.querySelectorAll("img")) picture.classList.add("paper");
       this.chart = new Chart(this.canvas, { type: "scatter", data: { datasets: [] }, options: this.options(), plugins: [this.background()] });
@@ -194,7 +199,9 @@
         }
         families.append(set);
       }
-      this.controls.append(families);
+      // On a narrow screen the list would push the chart out of sight.
+      const list = make("details", { className: "curves", open: window.innerWidth > 640 }, make("summary", { textContent: "Curves" }), families);
+      this.controls.append(list);
       this.tick();
     }
 
@@ -298,14 +305,14 @@
     options() {
       const colors = theme();
       const font = { family: getComputedStyle(document.body).fontFamily, size: 13 };
-      const axis = () => ({
+      const axis = (range) => ({
         type: "logarithmic",
         grid: {
-          color: (context) => (context.tick && tick(context.tick.value) ? colors.line : "transparent"),
+          color: (context) => (context.tick && isPower(context.tick.value) ? colors.line : "transparent"),
           borderColor: colors.soft,
           tickColor: colors.soft,
         },
-        ticks: { color: colors.ink, font, autoSkip: true, maxRotation: 0, callback: (value) => tick(value) || null },
+        ticks: { color: colors.ink, font, autoSkip: true, maxRotation: 0, callback: (value) => tick(value, range()) || null },
         title: { display: true, text: "", color: colors.ink, font },
       });
       return {
@@ -313,7 +320,7 @@
         responsive: true,
         maintainAspectRatio: false,
         interaction: { mode: "nearest", intersect: true },
-        scales: { x: axis(), y: axis() },
+        scales: { x: axis(() => this.x), y: axis(() => this.y) },
         plugins: {
           legend: { display: false },
           tooltip: { enabled: false, external: ({ tooltip }) => this.hover(tooltip) },
@@ -351,8 +358,8 @@
               ctx.moveTo(area.left, y);
               ctx.lineTo(area.right, y);
               ctx.stroke();
-              ctx.textAlign = "right";
-              ctx.fillText(`${mesh.elements} elements, exact in time`, area.right - 6, y - 2);
+              ctx.textAlign = "left";
+              ctx.fillText(`${mesh.elements} elements, exact in time`, area.left + 6, y - 2);
             }
           ctx.restore();
         },
