@@ -7,7 +7,7 @@
 #include "engine/integrate/method_info.h"
 #include "report/page_template.h"
 #include "report/study_page.h"
-#include "report/verdict_table.h"
+#include "report/verdict_html.h"
 
 namespace plumb {
 
@@ -157,7 +157,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["message"] = trajectory.message;
   page["outcome"] = std::string(word(trajectory.outcome));
   page["has_verdicts"] = !results.verdicts.empty();
-  page["verdicts"] = verdict_table(results.verdicts);
+  page["verdicts"] = verdict_html(results.verdicts);
   page["has_errors"] = !results.errors.empty();
   page["errors"] = error_rows(results);
   page["references"] = reference_rows(results);

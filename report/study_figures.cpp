@@ -168,13 +168,14 @@ class WorkFigure {
     for (const std::size_t k : line.runs)
       points.push_back(fate(k) == RunFate::good ? WorkError{work(k), error(k)} : WorkError{});
     if (question_ == StudyQuestion::time) {
+      // What is not good has no place on the axes, and breaks the line.
       for (const WorkError& point : points) add(series, point.seconds, point.error);
     } else {
       // Over several meshes, a method is as good as its own front; what lies behind stays as small points.
       const std::vector<std::size_t> best = pareto_front(points);
       for (const std::size_t i : best) add(series, points[i].seconds, points[i].error);
       for (std::size_t i = 0; i < points.size(); ++i)
-        if (std::find(best.begin(), best.end(), i) == best.end())
+        if (points[i].error > 0 && std::find(best.begin(), best.end(), i) == best.end())
           add(others, points[i].seconds, points[i].error);
     }
     if (!others.x.empty()) panel.series.push_back(std::move(others));

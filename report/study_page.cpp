@@ -14,7 +14,7 @@
 #include "report/study_chart_data.h"
 #include "report/study_figures.h"
 #include "report/study_lines.h"
-#include "report/verdict_table.h"
+#include "report/verdict_html.h"
 
 namespace plumb {
 
@@ -352,7 +352,7 @@ std::string to_study_page(const StudyResults& results, const std::vector<Picture
   page["has_mesh"] = study.mesh.has_value();
   page["section"] = study_section(study, pictures);
   page["has_verdicts"] = !results.verdicts.empty();
-  page["verdicts"] = verdict_table(results.verdicts);
+  page["verdicts"] = verdict_html(results.verdicts);
   page["case_name"] = source.file.name;
   page["case_text"] = source.file.text;
   data overrides{data::type::list};

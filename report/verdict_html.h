@@ -8,6 +8,6 @@
 namespace plumb {
 
 /// Verdicts as a table of a page, those that failed first.
-std::string verdict_table(const std::vector<Verdict>& verdicts);
+std::string verdict_html(const std::vector<Verdict>& verdicts);
 
 }  // namespace plumb

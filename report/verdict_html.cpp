@@ -1,4 +1,4 @@
-#include "report/verdict_table.h"
+#include "report/verdict_html.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
 
 }  // namespace
 
-std::string verdict_table(const std::vector<Verdict>& verdicts) {
+std::string verdict_html(const std::vector<Verdict>& verdicts) {
   data values;
   values["verdicts"] = verdict_rows(verdicts);
   return fill_in(verdicts_mustache, values);
