@@ -39,7 +39,7 @@ StudyExtent default_quick_extent(const CableSpec& cable) {
     if (find_method(name) != nullptr) extent.methods.emplace_back(name);
   extent.points = 5;
   extent.repeats = 1;
-  extent.time_limit = 0.25;
+  extent.time_limit = 0.1;
   return extent;
 }
 

@@ -14,7 +14,9 @@ namespace {
 /// Outputs this close to a step, as a fraction of the output interval, are the state of that step.
 constexpr double same_time = 1e-9;
 
-/// Steps between two looks at the clock, which costs as much as a part of a short step.
+/// Steps between two looks at the energy and the clock, which cost as much as a part of a short step. Outputs
+/// are always looked at. Within the steps between, the forces tell a slope that collapses and a state that is
+/// not finite.
 constexpr long steps_between_looks = 16;
 
 void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
@@ -74,11 +76,13 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     stop_if_interrupted();
     last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : time.end);
     const State& now = integrator->state();
-    if (const auto collapsed = dynamics.take_collapsed(); last.ok() && collapsed)
-      last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
+    const bool look = (dynamics.counters.steps + 1) % steps_between_looks == 0;
     if (last.ok()) {
-      ++dynamics.counters.steps;
-      last = monitor.check(now);
+      const auto collapsed = dynamics.take_collapsed();
+      if (look || collapsed || outputs[next] <= now.t + near) last = monitor.check(now);
+      if (last.ok() && collapsed)
+        last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
+      if (last.ok()) ++dynamics.counters.steps;
     }
     if (!last.ok()) {
       result.message = describe(last, method, now.t, dynamics.counters.steps + 1);
@@ -94,8 +98,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
       }
     }
     if (progress && dynamics.counters.steps % 256 == 0) progress(now.t);
-    if (next < outputs.size() && dynamics.counters.steps % steps_between_looks == 0 &&
-        elapsed() > time_limit) {
+    if (next < outputs.size() && look && elapsed() > time_limit) {
       last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
       result.message = describe(last, method, now.t, dynamics.counters.steps);
     }

@@ -8,6 +8,7 @@ namespace plumb {
 // A new method adds its entry here and is then known to the case reader, `plumb doctor` and the report.
 MethodEntry velocity_verlet_entry();
 MethodEntry rk4_entry();
+MethodEntry runge_kutta_nystrom_entry();
 MethodEntry arkode_erk_entry();
 MethodEntry linearly_implicit_euler_entry();
 MethodEntry implicit_euler_entry();
@@ -15,15 +16,25 @@ MethodEntry trapezoidal_entry();
 MethodEntry hht_entry();
 MethodEntry generalized_alpha_entry();
 MethodEntry implicit_midpoint_entry();
+MethodEntry energy_momentum_entry();
 MethodEntry cvode_bdf_entry();
 
 namespace {
 
 const std::vector<MethodEntry>& entries() {
   static const std::vector<MethodEntry> all{
-      velocity_verlet_entry(),   rk4_entry(),         arkode_erk_entry(), linearly_implicit_euler_entry(),
-      implicit_euler_entry(),    trapezoidal_entry(), hht_entry(),        generalized_alpha_entry(),
-      implicit_midpoint_entry(), cvode_bdf_entry(),
+      velocity_verlet_entry(),
+      rk4_entry(),
+      runge_kutta_nystrom_entry(),
+      arkode_erk_entry(),
+      linearly_implicit_euler_entry(),
+      implicit_euler_entry(),
+      trapezoidal_entry(),
+      hht_entry(),
+      generalized_alpha_entry(),
+      implicit_midpoint_entry(),
+      energy_momentum_entry(),
+      cvode_bdf_entry(),
   };
   return all;
 }

@@ -30,10 +30,25 @@ void system(const ElementConstants& element, double mass_factor, double stiffnes
   PLUMB_CHOOSE(chain_system, scaled, elements, q, block_columns);
 }
 
+void add_up(int size, const double* first, int count, const double* factors, const double* const* terms,
+            double* result) {
+  int i = 0;
+  for (; i + lanes <= size; i += lanes) {
+    Lanes sum = load_lanes(first + i);
+    for (int k = 0; k < count; ++k) sum += factors[k] * load_lanes(terms[k] + i);
+    store_lanes(result + i, sum);
+  }
+  for (; i < size; ++i) {
+    double sum = first[i];
+    for (int k = 0; k < count; ++k) sum += factors[k] * terms[k][i];
+    result[i] = sum;
+  }
+}
+
 }  // namespace
 
 extern const Kernels PLUMB_KERNELS;
-const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET, force,         energy, system, factor, solve, mass_solve,
-                            mass_multiply,         kinetic_energy};
+const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET, force,  energy,        system, factor, solve, mass_solve,
+                            mass_multiply,         add_up, kinetic_energy};
 
 }  // namespace plumb::kernels

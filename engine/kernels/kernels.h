@@ -59,6 +59,10 @@ struct Kernels {
   /// y := M v, without supports.
   void (*mass_multiply)(const ElementConstants& element, int elements, const double* v, double* y);
 
+  /// result := first + Σ factors[i] · terms[i] over `count` arrays of `size` numbers.
+  void (*add_up)(int size, const double* first, int count, const double* factors, const double* const* terms,
+                 double* result);
+
   /// ½ vᵀ M v, J.
   double (*kinetic_energy)(const ElementConstants& element, int elements, const double* v);
 };

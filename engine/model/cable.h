@@ -44,6 +44,9 @@ class Cable {
   /// The rates at the start, with what the supports hold set to 0.
   Eigen::VectorXd start_v(const StartSpec& start) const;
 
+  /// The weight of the cable on its coordinates, N and N m.
+  const Eigen::VectorXd& gravity_force() const { return gravity_force_; }
+
   /// f := gravity minus elastic force; the forces of the supports are not in it. Returns an element whose
   /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point), for which f is incomplete; nothing
   /// if all is well.

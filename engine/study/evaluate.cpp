@@ -40,13 +40,15 @@ void fit_order(const WorkPrecision& study, StudyCurve& curve) {
   curve.observed = observed_order(points, floor_of(study, curve.elements), largest_share * study.length);
 }
 
-/// Cost and error of each run; an error below the floor counts as the floor, as it says no more than that.
+/// Cost and error of each run. An error below the floor counts as the floor, as it says no more than that; a
+/// run that is stable but wrong counts as none.
 std::vector<WorkError> work_errors(const WorkPrecision& study, ErrorNorms StudyRun::*error, double floor,
                                    int elements = 0) {
   std::vector<WorkError> points;
   for (const StudyRun& run : study.runs) {
     const double e = (run.*error).tip_max;
-    if (!run.completed() || e < 0 || (elements != 0 && run.elements != elements))
+    if (!run.completed() || e < 0 || e > wrong_beyond * study.length ||
+        (elements != 0 && run.elements != elements))
       points.push_back({});
     else
       points.push_back({run.work_seconds(), std::max(e, floor)});

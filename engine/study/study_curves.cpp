@@ -64,10 +64,10 @@ std::string stated_order(const MethodInfo& method, const MethodSpec& variant) {
 }  // namespace
 
 std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyExtent& extent,
-                                    double output_interval) {
+                                    double output_interval, bool quick) {
   std::vector<CurvePlan> curves;
   const auto add = [&](const MethodInfo& method, const MethodSpec& variant, const std::string& label) {
-    const bool both = method.takes_step && method.takes_tolerances;
+    const bool both = method.takes_step && method.takes_tolerances && !quick;
     if (method.takes_step) {
       CurvePlan curve{label + (both ? ", fixed step" : ""), &method, stated_order(method, variant), {}};
       for (const double step : steps(spec, extent.points, output_interval)) {
@@ -76,7 +76,7 @@ std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyEx
       }
       curves.push_back(std::move(curve));
     }
-    if (method.takes_tolerances) {
+    if (method.takes_tolerances && (both || !method.takes_step)) {
       CurvePlan curve{label + (both ? ", controlled step" : ""), &method, stated_order(method, variant), {}};
       for (const double exact : logarithmic(spec.loosest_tolerance, spec.tightest_tolerance, extent.points)) {
         curve.points.push_back(variant);
@@ -95,7 +95,7 @@ std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyEx
     bool varied = false;
     for (const Variants& variants : all_variants()) {
       const MethodParameter* parameter = find_parameter(*method, variants.parameter);
-      if (variants.method != name || parameter == nullptr) continue;
+      if (quick || variants.method != name || parameter == nullptr) continue;
       for (const double value : variants.values) {
         if (value < parameter->minimum || value > parameter->maximum) continue;
         MethodSpec variant = plain;

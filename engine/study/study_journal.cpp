@@ -150,6 +150,8 @@ void StudyJournal::take(const std::string& line) {
     } else if (json.contains("reference")) {
       const StudyReference reference = reference_of(json.at("reference"));
       references_[reference.certificate.elements] = reference;
+    } else {
+      return;
     }
     ++found_;
   } catch (const std::exception&) {
@@ -214,7 +216,7 @@ void StudyJournal::remove() {
 std::string study_identity(const CaseSource& source, bool quick) {
   std::string text = source.file.text;
   for (const std::string& override_text : source.overrides) text += '\0' + override_text;
-  text += quick ? "\0quick" : "\0full";
+  text += quick ? " quick" : " full";
   for (const auto& [name, value] : provenance_now())
     if (name == "revision" || name == "compiler" || name == "flags" || name == "processor")
       text += '\0' + value;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "engine/integrate/integrate.h"
@@ -101,23 +102,28 @@ StudyReference hold_together(const Case& spec, const MethodSpec& first, const Me
 StudyReference make_reference(const Case& spec, double target, double time_limit) {
   constexpr double most_steps = 1e7;
   const double interval = spec.time.output_interval;
+  const auto started = std::chrono::steady_clock::now();
+  const auto time_left = [&] {
+    return time_limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  };
   StudyReference best;
   best.certificate.elements = spec.cable.elements;
   double step = dividing(interval, first_step(spec) / 2);
   Trajectory second;
   // From loose to tight, so that a mesh too dear for the target still has the best that it can have.
   for (const double tolerance : {1e-7, 1e-9, 1e-11, 1e-13}) {
-    const Trajectory first = run(spec, embedded_pair(tolerance), time_limit);
+    const Trajectory first = run(spec, embedded_pair(tolerance), time_left());
     if (first.outcome != Outcome::completed) {
       if (better(reference_of(first, embedded_pair(tolerance), rk4(step), -1), best))
         best = reference_of(first, embedded_pair(tolerance), rk4(step), -1);
-      break;
+      if (first.outcome == Outcome::out_of_time) break;
+      continue;
     }
     double before = INFINITY;
     while (true) {
       if (second.outcome != Outcome::completed) {
         if (spec.time.end / step > most_steps) break;
-        second = run(spec, rk4(step), time_limit);
+        second = run(spec, rk4(step), time_left());
       }
       const double distance = tip_distance(first, second);
       const StudyReference found = reference_of(first, embedded_pair(tolerance), rk4(step), distance);
@@ -129,7 +135,7 @@ StudyReference make_reference(const Case& spec, double target, double time_limit
       double factor = 0.5;
       if (distance >= 0) {
         before = distance;
-        factor = std::clamp(0.8 * std::pow(target / distance, 0.25), 1.0 / 16, 0.5);
+        factor = std::clamp(0.8 * std::pow(target / distance, 0.25), 0.25, 0.5);
       }
       step = dividing(interval, step * factor);
       second = {};

@@ -109,7 +109,8 @@ struct WorkPrecision {
   CertifiedReference converged_reference;
   /// Richardson's estimate of the mesh error of the converged reference itself, m; -1: not known.
   double converged_mesh_error = -1;
-  std::vector<std::size_t> time_front;   ///< Pareto front of seconds and time_error.tip_max on the fixed mesh
+  /// Pareto front of seconds and time_error.tip_max on the fixed mesh, of the runs that are not wrong.
+  std::vector<std::size_t> time_front;
   std::vector<std::size_t> total_front;  ///< of seconds and total_error.tip_max over all meshes
   std::vector<CheapestRun> time_cheapest;
   std::vector<CheapestRun> total_cheapest;

@@ -25,17 +25,28 @@ void say_cheapest(const std::string& title, const std::vector<CheapestRun>& chea
   for (const CheapestRun& run : cheapest) talk.line("  " + run.in_words);
 }
 
+/// The width of the longest label, in characters.
+std::size_t label_width(const WorkPrecision& study) {
+  std::size_t width = 0;
+  for (const StudyCurve& curve : study.curves)
+    width = std::max(
+        width, static_cast<std::size_t>(std::count_if(curve.label.begin(), curve.label.end(), [](char c) {
+          return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+        })));
+  return width;
+}
+
 void say_orders(const WorkPrecision& study, Talk& talk) {
+  const std::size_t width = label_width(study);
   talk.line(fmt::format("Observed orders, {}: stated, seen, over which steps",
                         counted(study.fixed_elements, "element", "elements")));
   for (const StudyCurve& curve : study.curves) {
     if (curve.elements != study.fixed_elements) continue;
-    talk.line(
-        curve.observed.order < 0
-            ? fmt::format("  {:<34}{:<8}no asymptotic part of three runs", curve.label, curve.stated_order)
-            : fmt::format("  {:<34}{:<8}{:.2f} ± {:.2f}, {:.2g} to {:.2g} s", curve.label, curve.stated_order,
-                          curve.observed.order, curve.observed.deviation, curve.observed.largest_step,
-                          curve.observed.smallest_step));
+    std::string seen = "no asymptotic part of three runs";
+    if (curve.observed.order >= 0)
+      seen = fmt::format("{:.2f} ± {:.2f}, {:.2g} to {:.2g} s", curve.observed.order,
+                         curve.observed.deviation, curve.observed.largest_step, curve.observed.smallest_step);
+    talk.line(fmt::format("  {:<{}}  {:<8}{}", curve.label, width, curve.stated_order, seen));
   }
 }
 
@@ -47,8 +58,9 @@ void say_front(const WorkPrecision& study, Talk& talk) {
     const auto curve = std::find_if(study.curves.begin(), study.curves.end(), [&](const StudyCurve& any) {
       return std::find(any.runs.begin(), any.runs.end(), k) != any.runs.end();
     });
-    talk.line(fmt::format("  {:<34}{:<20}{:>10}   {:.2g} m", curve->label, study.runs[k].setting(),
-                          duration_in_words(study.runs[k].work_seconds()), study.runs[k].time_error.tip_max));
+    talk.line(fmt::format("  {:<{}}  {:<20}{:>10}   {:.2g} m", curve->label, label_width(study),
+                          study.runs[k].setting(), duration_in_words(study.runs[k].work_seconds()),
+                          study.runs[k].time_error.tip_max));
   }
 }
 

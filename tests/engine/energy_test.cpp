@@ -38,6 +38,34 @@ TEST(Energy, GeneralizedAlphaLosesWhatItsDampingTakes) {
   }
 }
 
+// At these steps the trapezoidal rule and generalized-α with ρ∞ = 1 fail within seconds.
+TEST(Energy, EnergyMomentumKeepsItWhereOtherMethodsFail) {
+  for (const StrainModel strain : {StrainModel::green_geometric, StrainModel::engineering_material})
+    for (const double f : {1.0, 5.0}) {
+      Case spec = pendulum(f, 4);
+      spec.cable.strain = strain;
+      const TimeSpec time{10, 0.1};
+      const Trajectory kept = run(spec, method("energy-momentum", 1e-2), time);
+      ASSERT_EQ(kept.outcome, Outcome::completed) << kept.message;
+      EXPECT_LE(kept.relative_energy_drift(), 1e-9) << "f = " << f << ", " << word(strain);
+      MethodSpec undamped = method("generalized-alpha", 1e-2);
+      undamped.parameters["spectral_radius"] = 1;
+      EXPECT_NE(run(spec, undamped, time).outcome, Outcome::completed) << "f = " << f << ", " << word(strain);
+      EXPECT_NE(run(spec, method("trapezoidal", 1e-2), time).outcome, Outcome::completed)
+          << "f = " << f << ", " << word(strain);
+    }
+}
+
+TEST(Energy, EnergyMomentumKeepsItAtAnyStep) {
+  for (const double h : {1e-3, 5e-3, 2e-2, 3.7e-2}) {
+    const Trajectory kept = run(pendulum(5, 4), method("energy-momentum", h), {2, 0.1});
+    ASSERT_EQ(kept.outcome, Outcome::completed) << kept.message;
+    EXPECT_LE(std::abs(kept.energies.back().total() - kept.energies.front().total()),
+              1e-11 * kept.kinetic_scale())
+        << "h = " << h;
+  }
+}
+
 TEST(Energy, DriftOfAStartFromRestIsHeldAgainstTheGreatestKineticEnergy) {
   Trajectory trajectory;
   trajectory.energies = {{.kinetic = 0, .potential = 0}, {.kinetic = 2, .potential = -1.5}};

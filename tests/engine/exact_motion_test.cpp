@@ -82,6 +82,21 @@ TEST_P(EveryMethod, LeavesAHangingCableAtRest) {
   for (const Eigen::VectorXd& q : trajectory.q) EXPECT_LE((q - start.q).lpNorm<Eigen::Infinity>(), 1e-9);
 }
 
+TEST_P(EveryMethod, LeavesAUniformStretchBetweenTwoPinsUniform) {
+  for (const StrainModel strain : {StrainModel::green_geometric, StrainModel::engineering_material}) {
+    Case spec = pendulum(5, 4);
+    spec.cable.strain = strain;
+    spec.start.direction = Vec3(2, -1, 2) / 3;
+    spec.supports.last = Support::pinned;
+    spec.loads.gravity.setZero();
+    const Cable cable(spec);
+    const State start{0, 1.05 * cable.start_q(spec.start), Eigen::VectorXd::Zero(cable.size())};
+    const Trajectory trajectory = integrate(cable, start, spec_of(info, 5e-4, 1e-8), {0.1, 0.05});
+    ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+    EXPECT_LE((trajectory.q.back() - start.q).lpNorm<Eigen::Infinity>(), 1e-11) << word(strain);
+  }
+}
+
 TEST_P(EveryMethod, HoldsItsSupports) {
   for (const SupportsSpec ends :
        {SupportsSpec{Support::pinned, Support::free}, SupportsSpec{Support::clamped, Support::pinned},

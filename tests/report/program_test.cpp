@@ -35,6 +35,8 @@ TEST(Program, RunsThePublishedPendulumToWithinTheRoundingOfItsFigures) {
                            "figures/tip_plan.png", "figures/energy.png"})
     EXPECT_TRUE(fs::exists(folder / "output/pendulum_published" / file)) << file;
   EXPECT_FALSE(fs::exists(folder / "output/pendulum_published/frames/0051.png"));
+  EXPECT_FALSE(fs::exists(folder / "output/pendulum_published/study.h5")) << "the case asks for no study";
+  EXPECT_FALSE(json.contains("work_precision"));
 }
 
 TEST(Program, CriterionThatIsNotMetEndsWithOneAndSaysByHowMuch) {

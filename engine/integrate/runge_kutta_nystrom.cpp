@@ -1,0 +1,116 @@
+#include <utility>
+
+#include "engine/integrate/nystrom_pair.h"
+#include "engine/integrate/one_step_method.h"
+#include "engine/kernels/kernels.h"
+
+namespace plumb {
+namespace {
+
+/// The explicit method of a NystromPair: eight force evaluations a step.
+class RungeKuttaNystrom : public OneStepMethod {
+ public:
+  RungeKuttaNystrom(const MethodSpec& spec, Dynamics& dynamics, const State& start)
+      : OneStepMethod(spec, order_of_control, dynamics, start) {
+    for (Eigen::VectorXd& k : k_) k.resize(dynamics.size());
+    dynamics.acceleration(start.q, k_[0]);
+    dynamics.take_collapsed();
+    before_a_ = k_[0];
+  }
+
+  /// Quintic Hermite interpolation from q, v and a at both ends, whose error is below that of the method.
+  void interpolate(double t, State& at) const override {
+    const State &from = before(), &to = state();
+    const double h = to.t - from.t, x = (t - from.t) / h, y = 1 - x;
+    const double x2 = x * x, y2 = y * y, x3 = x2 * x, y3 = y2 * y, h2 = h * h;
+    at.t = t;
+    at.q = (y3 * (1 + 3 * x + 6 * x2)) * from.q + (x3 * (1 + 3 * y + 6 * y2)) * to.q +
+           (h * y3 * x * (1 + 3 * x)) * from.v - (h * x3 * y * (1 + 3 * y)) * to.v +
+           (0.5 * h2 * y3 * x2) * before_a_ + (0.5 * h2 * x3 * y2) * k_[0];
+    // The derivatives of these polynomials by x, over h.
+    at.v = (30 * x2 * y2 / h) * (to.q - from.q) + (y2 * (1 + 2 * x - 15 * x2)) * from.v +
+           (x2 * (1 + 2 * y - 15 * y2)) * to.v + (0.5 * h * x * y2 * (2 - 5 * x)) * before_a_ -
+           (0.5 * h * x2 * y * (2 - 5 * y)) * k_[0];
+  }
+
+ private:
+  using Pair = NystromPair;
+  static constexpr int order_of_control = 6;
+
+  StepResult advance(double h, const State& from, State& to) override {
+    for (int i = 1; i < Pair::stages; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      Eigen::VectorXd& q = i + 1 < Pair::stages ? q_ : to.q;
+      combine(from, Pair::c[at] * h, h * h, Pair::a[at], i, q);
+      dynamics().acceleration(q, k_[at]);
+    }
+    const Eigen::VectorXd* terms[Pair::stages];
+    double factors[Pair::stages];
+    int count = 0;
+    for (std::size_t i = 0; i < Pair::stages; ++i) {
+      if (Pair::velocity[i] == 0) continue;
+      terms[count] = &k_[i];
+      factors[count++] = h * Pair::velocity[i];
+    }
+    add_up(from.v, terms, factors, count, to.v);
+    return {};
+  }
+
+  /// result := q + reach v + h² Σ weights kⱼ over the first `count` stages.
+  void combine(const State& from, double reach, double h2, const Pair::Row& weights, int count,
+               Eigen::VectorXd& result) const {
+    const Eigen::VectorXd* terms[Pair::stages + 1] = {&from.v};
+    double factors[Pair::stages + 1] = {reach};
+    int used = 1;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+      if (weights[j] == 0) continue;
+      terms[used] = &k_[j];
+      factors[used++] = h2 * weights[j];
+    }
+    add_up(from.q, terms, factors, used, result);
+  }
+
+  static void add_up(const Eigen::VectorXd& first, const Eigen::VectorXd* const* terms, const double* factors,
+                     int count, Eigen::VectorXd& result) {
+    const double* data[Pair::stages + 1];
+    for (int i = 0; i < count; ++i) data[i] = terms[i]->data();
+    result.resize(first.size());
+    best_kernels().add_up(static_cast<int>(first.size()), first.data(), count, factors, data, result.data());
+  }
+
+  void estimate_error(double h, const State&, const State&, Eigen::VectorXd& e) override {
+    e.setZero(k_[0].size());
+    for (std::size_t i = 0; i < Pair::stages; ++i)
+      if (const double weight = Pair::b[i] - Pair::lower[i]; weight != 0) e += (h * h * weight) * k_[i];
+  }
+
+  void accept() override {
+    std::swap(before_a_, k_[0]);
+    std::swap(k_[0], k_[Pair::stages - 1]);
+  }
+
+  std::array<Eigen::VectorXd, Pair::stages> k_;
+  Eigen::VectorXd before_a_;  // acceleration before the last step
+  Eigen::VectorXd q_;
+};
+
+}  // namespace
+
+MethodEntry runge_kutta_nystrom_entry() {
+  MethodInfo info;
+  info.name = "runge-kutta-nystrom";
+  info.summary = "explicit Nyström pair of order 8(6) for q'' = f(q)";
+  info.source = "Dormand, El-Mikkawy and Prince 1987";
+  info.order = "8";
+  info.conserves = "momentum";
+  info.use = "soft, coarse cables to high accuracy, and references";
+  info.family = MethodFamily::explicit_one_step;
+  info.takes_step = true;
+  info.takes_tolerances = true;
+  return {info,
+          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
+            return std::make_unique<RungeKuttaNystrom>(spec, dynamics, start);
+          }};
+}
+
+}  // namespace plumb
