@@ -12,7 +12,7 @@ struct AxisTicks {
   std::vector<double> major;        ///< ascending, inside the range, whole multiples of `step`
   std::vector<double> minor;        ///< ascending, inside the range, without the major ones
   std::vector<std::string> labels;  ///< one a major tick, in units of 10^exponent, with a true minus sign
-  double step = 0;                  ///< between major ticks: 1, 2 or 5 times a power of ten
+  double step = 0;                  ///< between major ticks: 1, 2 or 5 times a power of ten; 0: it grows
   int exponent = 0;                 ///< the power of ten taken out of all labels
 };
 

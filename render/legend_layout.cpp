@@ -12,6 +12,9 @@ namespace {
 // Of all the places that the data reach, an inner legend may cover this much.
 constexpr double bearable_cover = 0.004;
 
+// Up to so many entries stand below each other.
+constexpr std::size_t one_column = 6;
+
 std::vector<std::size_t> labelled(const Panel& panel) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < panel.series.size(); ++i)
@@ -19,16 +22,25 @@ std::vector<std::size_t> labelled(const Panel& panel) {
   return result;
 }
 
-double entry_width(const Series& series, const PlotSizes& sizes, const Font& font) {
-  return legend_sample(sizes) + sizes.gap + font.measure(series.label, sizes.legend).width;
+double entry_width(const Panel& panel, const Series& series, const PlotSizes& sizes, const Font& font) {
+  return legend_sample(panel, sizes) + sizes.gap + font.measure(series.label, sizes.legend).width;
+}
+
+bool hides_a_rule(const PanelLayout& layout, const Rect& box) {
+  return std::any_of(layout.rules.begin(), layout.rules.end(), [&](const RuleLayout& rule) {
+    const Rect& label = rule.label;
+    return label.width() > 0 && label.left < box.right && label.right > box.left && label.top < box.bottom &&
+           label.bottom > box.top;
+  });
 }
 
 double row_height(const PlotSizes& sizes) {
   return 1.3 * sizes.legend.size;
 }
 
-// Places of the data a few pixels apart.
-std::vector<Point> samples(const Panel& panel, const PanelLayout& layout, double apart) {
+}  // namespace
+
+std::vector<Point> data_samples(const Panel& panel, const PanelLayout& layout, double apart) {
   std::vector<Point> result;
   for (const Series& series : panel.series) {
     const std::vector<Point> points = pixels(series, layout);
@@ -44,24 +56,47 @@ std::vector<Point> samples(const Panel& panel, const PanelLayout& layout, double
   return result;
 }
 
-}  // namespace
+namespace {
+
+// Of equal width and filled one after the other.
+struct Columns {
+  std::size_t count;
+  std::size_t rows;
+  double way;  // from one column to the next
+};
+
+Columns columns(std::size_t entries, std::size_t wished, double entry, const PlotSizes& sizes) {
+  const std::size_t rows = (entries + wished - 1) / wished;
+  return {(entries + rows - 1) / rows, rows, entry + 2 * sizes.gap};
+}
+
+Point place_in(const Columns& columns, std::size_t entry, double left, double top, const PlotSizes& sizes) {
+  return {left + columns.way * static_cast<double>(entry / columns.rows),
+          top + row_height(sizes) * static_cast<double>(entry % columns.rows) + 0.98 * sizes.legend.size};
+}
+
+double widest_entry(const Panel& panel, const std::vector<std::size_t>& entries, const PlotSizes& sizes,
+                    const Font& font) {
+  double width = 0;
+  for (const std::size_t i : entries)
+    width = std::max(width, entry_width(panel, panel.series[i], sizes, font));
+  return width;
+}
 
 std::optional<LegendLayout> legend_inside(const Panel& panel, const PanelLayout& layout,
+                                          const std::vector<Point>& data, std::size_t column_count,
                                           const PlotSizes& sizes, const Font& font) {
   LegendLayout legend;
   legend.series = labelled(panel);
-  if (legend.series.empty()) return std::nullopt;
   const double pad = 0.5 * sizes.gap + sizes.frame;
-  double width = 0;
-  for (const std::size_t i : legend.series)
-    width = std::max(width, entry_width(panel.series[i], sizes, font));
-  width += 2 * pad;
-  const double height = row_height(sizes) * static_cast<double>(legend.series.size()) + 2 * pad;
+  const double entry = widest_entry(panel, legend.series, sizes, font);
+  const Columns shape = columns(legend.series.size(), column_count, entry, sizes);
+  const double width = entry + static_cast<double>(shape.count - 1) * shape.way + 2 * pad;
+  const double height = row_height(sizes) * static_cast<double>(shape.rows) + 2 * pad;
   const Rect& frame = layout.frame;
   const double margin = sizes.gap;
   if (width + 2 * margin > frame.width() || height + 2 * margin > frame.height()) return std::nullopt;
 
-  const std::vector<Point> data = samples(panel, layout, sizes.gap);
   const double clearance = sizes.marker / 2;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   // Corners before edges before the middle; of equally free places, the first.
@@ -73,16 +108,30 @@ std::optional<LegendLayout> legend_inside(const Panel& panel, const PanelLayout&
     const Rect reach{left - clearance, top - clearance, left + width + clearance, top + height + clearance};
     const auto covered = static_cast<std::size_t>(
         std::count_if(data.begin(), data.end(), [&](const Point& p) { return reach.contains(p); }));
+    if (hides_a_rule(layout, reach)) continue;
     if (covered >= least) continue;
     least = covered;
     legend.box = {left, top, left + width, top + height};
   }
-  if (static_cast<double>(least) > bearable_cover * static_cast<double>(data.size())) return std::nullopt;
+  if (least == std::numeric_limits<std::size_t>::max() ||
+      static_cast<double>(least) > bearable_cover * static_cast<double>(data.size()))
+    return std::nullopt;
   for (std::size_t i = 0; i < legend.series.size(); ++i)
-    legend.at.emplace_back(
-        legend.box.left + pad,
-        legend.box.top + pad + row_height(sizes) * static_cast<double>(i) + 0.98 * sizes.legend.size);
+    legend.at.push_back(place_in(shape, i, legend.box.left + pad, legend.box.top + pad, sizes));
   return legend;
+}
+
+}  // namespace
+
+std::optional<LegendLayout> legend_inside(const Panel& panel, const PanelLayout& layout,
+                                          const PlotSizes& sizes, const Font& font) {
+  const std::size_t entries = labelled(panel).size();
+  if (entries == 0) return std::nullopt;
+  const std::vector<Point> data = data_samples(panel, layout, sizes.gap);
+  const std::size_t most_columns = entries > one_column ? 3 : 1;
+  for (std::size_t count = 1; count <= most_columns; ++count)
+    if (auto legend = legend_inside(panel, layout, data, count, sizes, font)) return legend;
+  return std::nullopt;
 }
 
 LegendLayout legend_rows(const Panel& panel, double left, double top, double width, const PlotSizes& sizes,
@@ -90,18 +139,32 @@ LegendLayout legend_rows(const Panel& panel, double left, double top, double wid
   LegendLayout legend;
   legend.outside = true;
   legend.series = labelled(panel);
-  double x = left;
-  double base = top + 0.98 * sizes.legend.size;
-  for (const std::size_t i : legend.series) {
-    const double wide = entry_width(panel.series[i], sizes, font);
-    if (x > left && x + wide > left + width) {
-      x = left;
-      base += row_height(sizes);
+  std::vector<double> widths;
+  for (const std::size_t i : legend.series)
+    widths.push_back(entry_width(panel, panel.series[i], sizes, font) + 2 * sizes.gap);
+  // Filled column by column, each as wide as its widest entry, in as few rows as fit.
+  std::size_t rows = 0;
+  double room = 0;
+  std::vector<double> columns;
+  do {
+    ++rows;
+    columns.clear();
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      if (i % rows == 0) columns.push_back(0);
+      columns.back() = std::max(columns.back(), widths[i]);
     }
-    legend.at.emplace_back(x, base);
-    x += wide + 2 * sizes.gap;
+    room = width + 2 * sizes.gap;
+    for (const double column : columns) room -= column;
+  } while (room < 0 && rows < widths.size());
+  const double margin = rows > 1 ? 0.5 * sizes.gap : 0;
+  double x = left;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    if (i > 0 && i % rows == 0) x += columns[i / rows - 1];
+    legend.at.emplace_back(
+        x, top + margin + row_height(sizes) * static_cast<double>(i % rows) + 0.98 * sizes.legend.size);
   }
-  legend.box = {left, top, left + width, base + 0.32 * sizes.legend.size};
+  legend.box = {left, top, left + width,
+                top + margin + row_height(sizes) * static_cast<double>(rows - 1) + 1.3 * sizes.legend.size};
   return legend;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "render/dash.h"
@@ -13,14 +14,37 @@ namespace plumb {
 namespace {
 
 constexpr std::array<int, 2> shape_components = {4, 3};
+constexpr std::size_t shape_size = 7;
 
-enum class Form { capsule, square, diamond };
+enum class Form { capsule, square, diamond, triangle_up, triangle_down };
 
 void add_shape(std::vector<float>& shapes, const Point& a, const Point& b, double half_width,
                double half_stroke, Form form) {
   for (const double value : {a.x(), a.y(), b.x(), b.y(), half_width, half_stroke})
     shapes.push_back(static_cast<float>(value));
   shapes.push_back(static_cast<float>(form));
+}
+
+// Two strokes through p: across `arm` and along it.
+void add_arms(std::vector<float>& shapes, const Point& p, const Point& arm, double stroke) {
+  for (const Point& way : {Point(arm.y(), -arm.x()), arm})
+    add_shape(shapes, p - way, p + way, std::max(stroke, 1.0) / 2, 0, Form::capsule);
+}
+
+// The whole pixels that shapes may touch, as the vertex shader has it and a little more.
+Rect reach_of(std::span<const float> shapes) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Rect reach{infinite, infinite, -infinite, -infinite};
+  for (std::size_t i = 0; i < shapes.size(); i += shape_size) {
+    const double around = 1.5 * shapes[i + 4] + shapes[i + 5] + 2;
+    for (const std::size_t end : {i, i + 2}) {
+      reach.left = std::min(reach.left, std::floor(shapes[end] - around));
+      reach.right = std::max(reach.right, std::ceil(shapes[end] + around));
+      reach.top = std::min(reach.top, std::floor(shapes[end + 1] - around));
+      reach.bottom = std::max(reach.bottom, std::ceil(shapes[end + 1] + around));
+    }
+  }
+  return reach;
 }
 
 }  // namespace
@@ -38,19 +62,24 @@ Painter::Painter(const GlContext& context)
 
 void Painter::begin(const Canvas& canvas) {
   canvas_ = &canvas;
+  clip_.reset();
   canvas.bind_flat();
 }
 
 void Painter::clip(const Rect& rect) {
-  const auto left = static_cast<int>(std::floor(rect.left));
-  const auto bottom = static_cast<int>(std::ceil(rect.bottom));
-  context_.gl().Enable(GL_SCISSOR_TEST);
-  context_.gl().Scissor(left, canvas_->height() - bottom, static_cast<int>(std::ceil(rect.right)) - left,
-                        bottom - static_cast<int>(std::floor(rect.top)));
+  clip_ = Rect{std::floor(rect.left), std::floor(rect.top), std::ceil(rect.right), std::ceil(rect.bottom)};
+  limit_to(*clip_);
 }
 
 void Painter::clip_nothing() {
+  clip_.reset();
   context_.gl().Disable(GL_SCISSOR_TEST);
+}
+
+void Painter::limit_to(const Rect& rect) {
+  context_.gl().Enable(GL_SCISSOR_TEST);
+  context_.gl().Scissor(static_cast<int>(rect.left), canvas_->height() - static_cast<int>(rect.bottom),
+                        static_cast<int>(rect.width()), static_cast<int>(rect.height()));
 }
 
 void Painter::line(std::span<const Point> points, double width, Color color, Dash dash) {
@@ -78,11 +107,21 @@ void Painter::markers(std::span<const Point> points, Marker marker, double diame
       case Marker::diamond:
         add_shape(shapes, p, p, radius, stroke / 2, Form::diamond);
         break;
+      case Marker::triangle_up:
+        add_shape(shapes, p, p, radius, stroke / 2, Form::triangle_up);
+        break;
+      case Marker::triangle_down:
+        add_shape(shapes, p, p, radius, stroke / 2, Form::triangle_down);
+        break;
       case Marker::cross:
-        for (const double way : {-1.0, 1.0}) {
-          const Point arm = 0.75 * radius * Point(1, way);
-          add_shape(shapes, p - arm, p + arm, std::max(stroke, 1.0) / 2, 0, Form::capsule);
-        }
+        add_arms(shapes, p, 0.75 * radius * Point(1, 1), stroke);
+        break;
+      case Marker::plus:
+        add_arms(shapes, p, Point(radius, 0), stroke);
+        break;
+      case Marker::circled_cross:
+        add_shape(shapes, p, p, 1.15 * radius, stroke / 2, Form::capsule);
+        add_arms(shapes, p, 0.55 * radius * Point(1, 1), stroke);
         break;
     }
   }
@@ -162,7 +201,14 @@ void Painter::draw_shapes(std::span<const float> shapes, Color color) {
   if (shapes.empty()) return;
   const Gl& gl = context_.gl();
   size_mask();
-  // The clip, if any, is on: it holds for the mask as for the picture.
+  // Only where the shapes are and the clip allows, as most are small.
+  Rect reach = reach_of(shapes);
+  const Rect limit = clip_.value_or(
+      Rect{0, 0, static_cast<double>(canvas_->width()), static_cast<double>(canvas_->height())});
+  reach = {std::max(reach.left, limit.left), std::max(reach.top, limit.top),
+           std::min(reach.right, limit.right), std::min(reach.bottom, limit.bottom)};
+  if (!(reach.width() > 0 && reach.height() > 0)) return;
+  limit_to(reach);
   gl.BindFramebuffer(GL_FRAMEBUFFER, mask_framebuffer_.id());
   gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -181,6 +227,10 @@ void Painter::draw_shapes(std::span<const float> shapes, Color color) {
   coverage_.set("ink", color);
   gl.BindVertexArray(no_attributes_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  if (clip_)
+    limit_to(*clip_);
+  else
+    gl.Disable(GL_SCISSOR_TEST);
 }
 
 }  // namespace plumb

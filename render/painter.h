@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -43,9 +44,11 @@ class Painter {
   void stamp(const TextBitmap& bitmap, double x, double y, Color color);
   void draw_shapes(std::span<const float> shapes, Color color);
   void size_mask();
+  void limit_to(const Rect& rect);
 
   const GlContext& context_;
   const Canvas* canvas_ = nullptr;
+  std::optional<Rect> clip_;
   Font font_;
   GlProgram shapes_;
   GlProgram coverage_;

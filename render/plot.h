@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-/// Points joined by a line, shown by markers, or both. Points that are not finite are left out and break the
-/// line.
+/// Points joined by a line, shown by markers, or both. Points that are not finite, or not above 0 on a
+/// logarithmic axis, are left out and break the line.
 struct Series {
   std::string label;  ///< in the legend; empty: not there
   std::vector<double> x;
@@ -24,10 +24,25 @@ struct Series {
   double marker_size = 1;   ///< in units of the plot's marker size
 };
 
+enum class Scale { linear, logarithmic };
+
 struct Axis {
   std::string label;                           ///< with its unit: "time [s]"
   std::optional<std::array<double, 2>> range;  ///< lo < hi; default: the data's with a small margin
   bool zero_line = false;                      ///< draws a line at 0, where that is in the range
+  Scale scale = Scale::linear;
+  std::vector<double> ticks = {};  ///< marked and labelled instead of round values; ascending
+};
+
+/// A value worth knowing along one axis, below the series: a line, or a shaded band between two values. It
+/// has no part in the range of its axis; of a band, what is in the range is drawn.
+struct Rule {
+  bool upright = false;  ///< at a value of x, rather than of y
+  double from = 0;
+  double to = 0;               ///< equal to `from`: a line; either may be infinite
+  std::string label;           ///< written along it, where it hides the least of the data; may be empty
+  std::optional<Color> color;  ///< default: a grey
+  Dash dash = Dash::solid;     ///< of a line
 };
 
 /// One coordinate system. Series are drawn in order, the last on top.
@@ -36,8 +51,9 @@ struct Panel {
   Axis x;
   Axis y;
   std::vector<Series> series;
+  std::vector<Rule> rules;
   double height_share = 1;      ///< of the height, relative to the other panels, > 0
-  bool equal_axes = false;      ///< one unit is as long along x as along y
+  bool equal_axes = false;      ///< one unit is as long along x as along y; linear axes only
   bool shares_x_below = false;  ///< has the x axis of the panel below, which alone shows its labels
   bool legend = true;           ///< for series with a label
 };

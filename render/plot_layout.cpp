@@ -8,6 +8,8 @@
 
 #include "engine/errors.h"
 #include "render/legend_layout.h"
+#include "render/log_axis_ticks.h"
+#include "render/rule_layout.h"
 
 namespace plumb {
 
@@ -29,9 +31,23 @@ struct Span {
 struct PanelRanges {
   AxisRange x;
   AxisRange y;
+  Scale x_scale = Scale::linear;
+  Scale y_scale = Scale::linear;
 };
 
-AxisRange given_range(const std::array<double, 2>& range) {
+bool has_place(double value, Scale scale) {
+  return std::isfinite(value) && (scale == Scale::linear || value > 0);
+}
+
+AxisRange fitted(const Span& data, double margin, Scale scale) {
+  return scale == Scale::linear ? fitted_range(data.lo, data.hi, margin)
+                                : fitted_log_range(data.lo, data.hi, margin);
+}
+
+AxisRange given_range(const std::array<double, 2>& range, Scale scale) {
+  if (scale == Scale::logarithmic && !(range[0] >= least_log_end && range[1] <= greatest_log_end))
+    throw OutputError(fmt::format("plot: a logarithmic axis from {} to {}: must be within {} and {}",
+                                  range[0], range[1], least_log_end, greatest_log_end));
   // Between closer ends, neighbouring ticks would be the same number.
   const double least = 1e-9 * std::max(std::abs(range[0]), std::abs(range[1]));
   if (!std::isfinite(range[0]) || !std::isfinite(range[1]) || !(range[1] - range[0] > least))
@@ -43,19 +59,21 @@ AxisRange given_range(const std::array<double, 2>& range) {
 
 // The data's span of the panels from `first` to `last`, which share one x axis.
 Span x_span(const Plot& plot, std::size_t first, std::size_t last) {
+  const Scale scale = plot.panels[last].x.scale;
   Span span;
   for (std::size_t p = first; p <= last; ++p)
     for (const Series& series : plot.panels[p].series)
       for (std::size_t i = 0; i < series.x.size(); ++i)
-        if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) span.add(series.x[i]);
+        if (has_place(series.x[i], scale) && has_place(series.y[i], plot.panels[p].y.scale))
+          span.add(series.x[i]);
   return span;
 }
 
-Span y_span(const Panel& panel) {
+Span y_span(const Panel& panel, Scale x_scale) {
   Span span;
   for (const Series& series : panel.series)
     for (std::size_t i = 0; i < series.y.size(); ++i)
-      if (std::isfinite(series.x[i]) && std::isfinite(series.y[i])) span.add(series.y[i]);
+      if (has_place(series.x[i], x_scale) && has_place(series.y[i], panel.y.scale)) span.add(series.y[i]);
   return span;
 }
 
@@ -65,14 +83,19 @@ std::vector<PanelRanges> panel_ranges(const Plot& plot) {
   for (std::size_t last = 0; last < plot.panels.size(); ++last) {
     if (plot.panels[last].shares_x_below && last + 1 < plot.panels.size()) continue;
     const Span data = x_span(plot, first, last);
-    const auto& given = plot.panels[last].x.range;
-    const AxisRange shared = given ? given_range(*given) : fitted_range(data.lo, data.hi, x_margin);
-    for (; first <= last; ++first) ranges[first].x = shared;
+    const Axis& axis = plot.panels[last].x;
+    const AxisRange shared =
+        axis.range ? given_range(*axis.range, axis.scale) : fitted(data, x_margin, axis.scale);
+    for (; first <= last; ++first) {
+      ranges[first].x = shared;
+      ranges[first].x_scale = axis.scale;
+    }
   }
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
-    const Span data = y_span(plot.panels[p]);
-    const auto& given = plot.panels[p].y.range;
-    ranges[p].y = given ? given_range(*given) : fitted_range(data.lo, data.hi, y_margin);
+    const Axis& axis = plot.panels[p].y;
+    const Span data = y_span(plot.panels[p], ranges[p].x_scale);
+    ranges[p].y = axis.range ? given_range(*axis.range, axis.scale) : fitted(data, y_margin, axis.scale);
+    ranges[p].y_scale = axis.scale;
   }
   return ranges;
 }
@@ -95,12 +118,37 @@ void check(const Plot& plot) {
       if (series.x.size() != series.y.size())
         throw OutputError(fmt::format("plot: series '{}' has {} x and {} y", series.label, series.x.size(),
                                       series.y.size()));
+    for (const Rule& rule : panel.rules)
+      if (std::isnan(rule.from) || std::isnan(rule.to))
+        throw OutputError(
+            fmt::format("plot: rule '{}' from {} to {}: must be numbers", rule.label, rule.from, rule.to));
+    if (panel.equal_axes && (panel.x.scale != Scale::linear || panel.y.scale != Scale::linear))
+      throw OutputError("plot: equal axes must both be linear");
     if (!(panel.height_share > 0))
       throw OutputError(
           fmt::format("plot: a panel's height share of {}: must be greater than 0", panel.height_share));
   }
   if (!(plot.font_size > 0))
     throw OutputError(fmt::format("plot: a font size of {}: must be greater than 0", plot.font_size));
+}
+
+// Those of the given values that are inside; where a label would overlap the one before, it is empty.
+AxisTicks given_ticks(const AxisMap& axis, const std::vector<double>& given, const TickRoom& room) {
+  AxisTicks ticks;
+  double free_from = -std::numeric_limits<double>::infinity();
+  for (const double value : given) {
+    const double at = std::abs(axis(value) - axis.start);
+    if (!(value >= axis.range.lo && value <= axis.range.hi)) continue;
+    std::string label = fmt::format("{:g}", value);
+    const double half = room.extent(label) / 2;
+    if (at - half < free_from)
+      label.clear();
+    else
+      free_from = at + half + room.gap;
+    ticks.major.push_back(value);
+    ticks.labels.push_back(std::move(label));
+  }
+  return ticks;
 }
 
 bool has_legend(const Panel& panel) {
@@ -138,7 +186,7 @@ class Stack {
                                         plot_.height, plot_.font_size));
         PanelRanges fitted = ranges[p];
         if (plot_.panels[p].equal_axes) equalise(fitted, panel.frame);
-        mark(panel, fitted);
+        mark(panel, fitted, plot_.panels[x_axis_of(p)].x, plot_.panels[p].y);
         room = std::max(room, left_margin(plot_.panels[p], panel));
       }
       left = room;
@@ -147,6 +195,7 @@ class Stack {
       PanelLayout& panel = layout.panels[p];
       panel.y_label_base = sizes_.gap + font_.measure("X", sizes_.label).ascent;
       panel.y_exponent_base = panel.frame.top - 0.45 * sizes_.gap - sizes_.frame;
+      panel.rules = rule_layouts(plot_.panels[p], panel, sizes_, font_);
     }
     return layout;
   }
@@ -162,6 +211,12 @@ class Stack {
   }
 
  private:
+  // The panel whose x axis panel p has.
+  std::size_t x_axis_of(std::size_t p) const {
+    while (!shows_x(p)) ++p;
+    return p;
+  }
+
   bool shows_x(std::size_t p) const {
     return !plot_.panels[p].shares_x_below || p + 1 == plot_.panels.size();
   }
@@ -207,15 +262,21 @@ class Stack {
     }
   }
 
-  void mark(PanelLayout& panel, const PanelRanges& ranges) const {
-    panel.x = {ranges.x, panel.frame.left, panel.frame.right};
-    panel.y = {ranges.y, panel.frame.bottom, panel.frame.top};
+  static AxisTicks ticks(const AxisMap& axis, const std::vector<double>& given, const TickRoom& room) {
+    if (!given.empty()) return given_ticks(axis, given, room);
+    return axis.scale == Scale::linear ? axis_ticks(axis.range.lo, axis.range.hi, room)
+                                       : log_axis_ticks(axis.range.lo, axis.range.hi, room);
+  }
+
+  void mark(PanelLayout& panel, const PanelRanges& ranges, const Axis& x_axis, const Axis& y_axis) const {
+    panel.x = {ranges.x, panel.frame.left, panel.frame.right, ranges.x_scale};
+    panel.y = {ranges.y, panel.frame.bottom, panel.frame.top, ranges.y_scale};
     const auto wide = [&](std::string_view label) { return font_.measure(label, sizes_.tick).width; };
     const auto high = [&](std::string_view) { return sizes_.tick.size; };
-    panel.x_ticks = axis_ticks(ranges.x.lo, ranges.x.hi,
-                               {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
-    panel.y_ticks = axis_ticks(ranges.y.lo, ranges.y.hi,
-                               {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
+    panel.x_ticks = ticks(panel.x, x_axis.ticks,
+                          {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
+    panel.y_ticks = ticks(panel.y, y_axis.ticks,
+                          {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
   }
 
   const Plot& plot_;
@@ -238,6 +299,13 @@ PlotSizes::PlotSizes(double font_size)
       grid(std::max(1, static_cast<int>(std::lround(0.04 * font_size)))),
       tick_length(0.28 * font_size),
       gap(0.6 * font_size) {}
+
+double AxisMap::operator()(double value) const {
+  if (scale == Scale::linear) return start + (value - range.lo) / (range.hi - range.lo) * (end - start);
+  if (!(value > 0)) return std::numeric_limits<double>::quiet_NaN();
+  const double lo = std::log10(range.lo);
+  return start + (std::log10(value) - lo) / (std::log10(range.hi) - lo) * (end - start);
+}
 
 PlotLayout plot_layout(const Plot& plot, const Font& font) {
   check(plot);
@@ -282,8 +350,13 @@ std::string exponent_label(int exponent) {
   return fmt::format("\u00d710^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
-double legend_sample(const PlotSizes& sizes) {
-  return 1.6 * sizes.legend.size;
+double legend_sample(const Panel& panel, const PlotSizes& sizes) {
+  const bool dashed_with_markers =
+      std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) {
+        return !series.label.empty() && series.line_width > 0 && series.dash != Dash::solid &&
+               series.marker != Marker::none;
+      });
+  return (dashed_with_markers ? 2.6 : 1.6) * sizes.legend.size;
 }
 
 }  // namespace plumb

@@ -34,10 +34,10 @@ struct AxisMap {
   AxisRange range;
   double start = 0;  ///< pixel of range.lo
   double end = 0;    ///< pixel of range.hi
+  Scale scale = Scale::linear;
 
-  double operator()(double value) const {
-    return start + (value - range.lo) / (range.hi - range.lo) * (end - start);
-  }
+  /// Not a number for a value that a logarithmic axis has no place for.
+  double operator()(double value) const;
 };
 
 struct LegendLayout {
@@ -45,6 +45,14 @@ struct LegendLayout {
   bool outside = false;             ///< above the panel, as no place inside was free of data
   std::vector<std::size_t> series;  ///< indices of the entries
   std::vector<Point> at;            ///< left end of each entry's base line
+};
+
+/// A rule that reaches into its panel.
+struct RuleLayout {
+  std::size_t rule = 0;  ///< index
+  Rect area;             ///< of a line, without width
+  Rect label;            ///< the place of its label; empty: it has none, or there is no room
+  Point at{0, 0};        ///< where the label's pen starts; upright rules have theirs turned
 };
 
 struct PanelLayout {
@@ -59,6 +67,7 @@ struct PanelLayout {
   double x_label_base = 0;
   double y_label_base = 0;  ///< of the turned text: an x
   double y_exponent_base = 0;
+  std::vector<RuleLayout> rules;
   std::optional<LegendLayout> legend;
 };
 
@@ -68,17 +77,18 @@ struct PlotLayout {
 };
 
 /// Where everything in a plot goes. Needs the font, but nothing that draws.
-/// Throws OutputError when a series' x and y differ in number, a given range is not one, or the plot is too
-/// small.
+/// Throws OutputError when a series' x and y differ in number, a given range is not one or has no place on a
+/// logarithmic axis, equal axes are not linear, a rule is not a number, or the plot is too small.
 PlotLayout plot_layout(const Plot& plot, const Font& font);
 
-/// Points of a series in pixels; those that are not finite stay so.
+/// Points of a series in pixels; those that cannot be drawn are not finite.
 std::vector<Point> pixels(const Series& series, const PanelLayout& panel);
 
 /// "×10^{−5}" for -5, empty for 0.
 std::string exponent_label(int exponent);
 
-/// Length of the sample of a line in the legend, pixels.
-double legend_sample(const PlotSizes& sizes);
+/// Length of the sample of a line in the panel's legend, pixels: longer where dashes must show beside
+/// markers.
+double legend_sample(const Panel& panel, const PlotSizes& sizes);
 
 }  // namespace plumb

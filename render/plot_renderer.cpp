@@ -13,6 +13,9 @@ constexpr Color ink = Color::hex(0x222222);
 constexpr Color major_grid = Color::hex(0xDDDDDD);
 constexpr Color minor_grid = Color::hex(0xF1F1F1);
 constexpr Color zero = Color::hex(0x8C8C8C);
+constexpr Color rule_grey = Color::hex(0x8C8C8C);
+constexpr Color rule_ink = Color::hex(0x555555);
+constexpr float band_opacity = 0.22F;
 
 Color color_of(const Panel& panel, std::size_t series) {
   return panel.series[series].color.value_or(palette[series % palette.size()]);
@@ -31,11 +34,14 @@ class PanelDrawing {
       : painter_(painter), panel_(panel), layout_(layout), sizes_(sizes) {}
 
   void draw() const {
+    for (const RuleLayout& rule : layout_.rules) band(rule);
     grid();
     painter_.clip(layout_.frame);
+    for (const RuleLayout& rule : layout_.rules) line(rule);
     for (std::size_t i = 0; i < panel_.series.size(); ++i)
       series(panel_.series[i], pixels(panel_.series[i], layout_), color_of(panel_, i));
     painter_.clip_nothing();
+    for (const RuleLayout& rule : layout_.rules) label(rule);
     painter_.frame(layout_.frame, sizes_.frame, ink);
     labels();
     if (layout_.legend) legend(*layout_.legend);
@@ -51,6 +57,48 @@ class PanelDrawing {
     painter_.fill({layout_.frame.left, top, layout_.frame.right, top + width}, color);
   }
 
+  static bool is_band(const Rule& rule) { return rule.from != rule.to; }
+
+  void band(const RuleLayout& placed) const {
+    const Rule& rule = panel_.rules[placed.rule];
+    if (!is_band(rule)) return;
+    const Color color = rule.color.value_or(rule_grey);
+    painter_.fill(placed.area, {color.r, color.g, color.b, band_opacity});
+  }
+
+  // A rule of no width, or the edges of a band that are inside.
+  void line(const RuleLayout& placed) const {
+    const Rule& rule = panel_.rules[placed.rule];
+    const Color color = rule.color.value_or(rule_grey);
+    const double width = is_band(rule) ? sizes_.frame : 0.6 * sizes_.line;
+    const Rect& area = placed.area;
+    const Rect& frame = layout_.frame;
+    const auto draw = [&](const Point& a, const Point& b) {
+      painter_.line(std::vector<Point>{a, b}, width, color, rule.dash);
+    };
+    if (rule.upright) {
+      if (area.left > frame.left) draw({area.left, frame.bottom}, {area.left, frame.top});
+      if (is_band(rule) && area.right < frame.right)
+        draw({area.right, frame.bottom}, {area.right, frame.top});
+    } else {
+      if (area.top > frame.top) draw({frame.left, area.top}, {frame.right, area.top});
+      if (is_band(rule) && area.bottom < frame.bottom)
+        draw({frame.left, area.bottom}, {frame.right, area.bottom});
+    }
+  }
+
+  void label(const RuleLayout& placed) const {
+    if (!(placed.label.width() > 0)) return;
+    const Rule& rule = panel_.rules[placed.rule];
+    const Point middle(placed.label.left / 2 + placed.label.right / 2,
+                       placed.label.top / 2 + placed.label.bottom / 2);
+    if (!placed.area.contains(middle)) painter_.fill(placed.label, Color{paper.r, paper.g, paper.b, 0.7F});
+    if (rule.upright)
+      painter_.turned_text(rule.label, sizes_.legend, placed.at.x(), placed.at.y(), Align::left, rule_ink);
+    else
+      painter_.text(rule.label, sizes_.legend, placed.at.x(), placed.at.y(), Align::left, rule_ink);
+  }
+
   void grid() const {
     for (const double x : layout_.x_ticks.minor) upright(layout_.x(x), sizes_.grid, minor_grid);
     for (const double y : layout_.y_ticks.minor) level(layout_.y(y), sizes_.grid, minor_grid);
@@ -64,7 +112,9 @@ class PanelDrawing {
   void series(const Series& s, const std::vector<Point>& points, Color color) const {
     if (s.line_width > 0) painter_.line(points, s.line_width * sizes_.line, color, s.dash);
     if (s.marker != Marker::none) {
-      const double stroke = s.open_marker || s.marker == Marker::cross ? sizes_.marker_line : 0;
+      const bool stroked =
+          s.marker == Marker::cross || s.marker == Marker::plus || s.marker == Marker::circled_cross;
+      const double stroke = s.open_marker || stroked ? sizes_.marker_line : 0;
       painter_.markers(points, s.marker, s.marker_size * sizes_.marker, stroke, color);
     }
   }
@@ -87,6 +137,7 @@ class PanelDrawing {
                     frame.left - sizes_.tick_length - 0.5 * sizes_.gap, y + middle_of_digits, Align::right,
                     ink);
     }
+    minor_marks();
     painter_.text(exponent_label(layout_.y_ticks.exponent), sizes_.tick, frame.left, layout_.y_exponent_base,
                   Align::left, ink);
     const TextStyle y_style = fitted(painter_, panel_.y.label, sizes_.label, frame.height() + 2 * sizes_.gap);
@@ -102,6 +153,22 @@ class PanelDrawing {
                   Align::right, ink);
   }
 
+  // Unequal steps are easier to read with marks of their own.
+  void minor_marks() const {
+    const Rect& frame = layout_.frame;
+    const double length = 0.5 * sizes_.tick_length;
+    if (layout_.x.scale == Scale::logarithmic)
+      for (const double value : layout_.x_ticks.minor) {
+        const double left = std::round(layout_.x(value) - sizes_.grid / 2.0);
+        painter_.fill({left, frame.bottom, left + sizes_.grid, frame.bottom + length}, ink);
+      }
+    if (layout_.y.scale == Scale::logarithmic)
+      for (const double value : layout_.y_ticks.minor) {
+        const double top = std::round(layout_.y(value) - sizes_.grid / 2.0);
+        painter_.fill({frame.left - length, top, frame.left, top + sizes_.grid}, ink);
+      }
+  }
+
   void legend(const LegendLayout& legend) const {
     if (!legend.outside) {
       painter_.fill(legend.box, Color{paper.r, paper.g, paper.b, 0.88F});
@@ -111,7 +178,7 @@ class PanelDrawing {
       const std::size_t index = legend.series[i];
       const Point& at = legend.at[i];
       const double y = at.y() - 0.33 * sizes_.legend.size;
-      const double length = legend_sample(sizes_);
+      const double length = legend_sample(panel_, sizes_);
       const Series& s = panel_.series[index];
       const Color color = color_of(panel_, index);
       Series line = s;

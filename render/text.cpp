@@ -17,26 +17,30 @@ namespace plumb {
 
 namespace {
 
-constexpr double superscript_scale = 0.68;
+constexpr double script_scale = 0.68;
 constexpr double superscript_rise = 0.36;  // of the em height
+constexpr double subscript_rise = -0.16;
+
+enum class Script { none, above, below };
 
 // A stretch of text of one size on one base line.
 struct Run {
   std::u32string points;
-  bool superscript = false;
+  Script script = Script::none;
 };
 
 std::vector<Run> split(std::string_view text) {
   std::vector<Run> runs;
   while (!text.empty()) {
-    const std::size_t open = text.find("^{");
+    const std::size_t open = std::min(text.find("^{"), text.find("_{"));
     const std::size_t close = open == text.npos ? text.npos : text.find('}', open);
     if (close == text.npos) {
-      runs.push_back({decode_utf8(text), false});
+      runs.push_back({decode_utf8(text), Script::none});
       break;
     }
-    if (open > 0) runs.push_back({decode_utf8(text.substr(0, open)), false});
-    runs.push_back({decode_utf8(text.substr(open + 2, close - open - 2)), true});
+    if (open > 0) runs.push_back({decode_utf8(text.substr(0, open)), Script::none});
+    runs.push_back({decode_utf8(text.substr(open + 2, close - open - 2)),
+                    text[open] == '^' ? Script::above : Script::below});
     text.remove_prefix(close + 1);
   }
   return runs;
@@ -80,8 +84,10 @@ class Font::Faces {
     const FT_Face f = face(style.weight);
     double pen = 0;
     for (const Run& run : split(text)) {
-      const double size = run.superscript ? style.size * superscript_scale : style.size;
-      const double rise = run.superscript ? style.size * superscript_rise : 0;
+      const double size = run.script == Script::none ? style.size : style.size * script_scale;
+      const double rise = run.script == Script::none    ? 0
+                          : run.script == Script::above ? style.size * superscript_rise
+                                                        : style.size * subscript_rise;
       const double scale = size / f->units_per_EM;
       FT_UInt previous = 0;
       for (const char32_t point : run.points) {

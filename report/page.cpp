@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <kainjow/mustache.hpp>
-#include <stdexcept>
 
 #include "engine/integrate/method_info.h"
 #include "engine/model/support_constraints.h"
-#include "report/base64.h"
-#include "report/escape.h"
+#include "report/page_template.h"
+#include "report/study_page.h"
+#include "report/verdict_html.h"
 
 namespace plumb {
 
 extern const std::string_view page_mustache;
 extern const std::string_view page_css;
+extern const std::string_view study_css;
 extern const std::string_view formulation_mustache;
 
 namespace {
@@ -23,41 +23,6 @@ using kainjow::mustache::data;
 
 std::string number(double value) {
   return fmt::format("{:.4g}", value);
-}
-
-std::string data_uri(const std::string& png) {
-  return "data:image/png;base64," + base64(png);
-}
-
-data verdict_rows(const Results& results) {
-  std::vector<const Verdict*> order;
-  for (const Verdict& verdict : results.verdicts) order.push_back(&verdict);
-  // What failed comes first, then what was not run.
-  std::stable_sort(order.begin(), order.end(), [](const Verdict* a, const Verdict* b) {
-    const auto rank = [](const Verdict* v) {
-      return v->status == VerdictStatus::failed ? 0 : v->status == VerdictStatus::not_run ? 1 : 2;
-    };
-    return rank(a) < rank(b);
-  });
-  data rows{data::type::list};
-  for (const Verdict* verdict : order) {
-    data row;
-    row["status"] = std::string(word(verdict->status));
-    row["class"] = verdict->status == VerdictStatus::passed   ? "passed"
-                   : verdict->status == VerdictStatus::failed ? "failed"
-                                                              : "not-run";
-    row["kind"] = std::string(word(verdict->kind));
-    row["name"] = verdict->name;
-    row["criterion"] = verdict->criterion;
-    row["found"] =
-        verdict->status == VerdictStatus::not_run ? "not run" : number(verdict->value) + " " + verdict->unit;
-    row["share"] = verdict->status == VerdictStatus::not_run
-                       ? "–"
-                       : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
-    row["detail"] = verdict->detail;
-    rows.push_back(row);
-  }
-  return rows;
 }
 
 data error_rows(const Results& results) {
@@ -174,19 +139,6 @@ data case_rows(const Case& spec) {
   return rows;
 }
 
-data pairs(const std::vector<std::pair<std::string, std::string>>& items) {
-  data rows{data::type::list};
-  for (const auto& [name, value] : items) rows.push_back(pair_row(name, value));
-  return rows;
-}
-
-std::string render(std::string_view text, const data& values) {
-  kainjow::mustache::mustache page{std::string(text)};
-  page.set_custom_escape([](const std::string& raw) { return escape_xml(raw); });
-  if (!page.is_valid()) throw std::logic_error("page template: " + page.error_message());
-  return page.render(values);
-}
-
 }  // namespace
 
 std::string to_page(const Results& results, const Pictures& pictures) {
@@ -204,7 +156,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   formulation["method_source"] = method.source;
 
   data page;
-  page["css"] = std::string(page_css);
+  page["css"] = std::string(page_css) + (results.study ? std::string(study_css) : "");
   page["title"] = spec.title;
   page["headline"] = headline(results);
   page["good"] = results.solved() && all_passed(results.verdicts);
@@ -212,7 +164,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["message"] = trajectory.message;
   page["outcome"] = std::string(word(trajectory.outcome));
   page["has_verdicts"] = !results.verdicts.empty();
-  page["verdicts"] = verdict_rows(results);
+  page["verdicts"] = verdict_html(results.verdicts);
   page["has_errors"] = !results.errors.empty();
   page["errors"] = error_rows(results);
   page["references"] = reference_rows(results);
@@ -239,7 +191,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["drift"] = number(trajectory.energy_drift());
   page["drift_in_words"] = drift_in_words(trajectory);
   page["cost"] = cost_rows(results);
-  page["formulation"] = render(formulation_mustache, formulation);
+  page["formulation"] = fill_in(formulation_mustache, formulation);
   page["case_rows"] = case_rows(spec);
   page["case_name"] = run.loaded.source.file.name;
   page["case_text"] = run.loaded.source.file.text;
@@ -248,12 +200,18 @@ std::string to_page(const Results& results, const Pictures& pictures) {
     overrides.push_back(data{"override", override_text});
   page["has_overrides"] = !run.loaded.source.overrides.empty();
   page.set("overrides", overrides);
-  page["provenance"] = pairs(run.provenance);
+  page["has_study"] = results.study != nullptr;
+  if (results.study) {
+    page["script_policy"] = "; " + study_script_policy();
+    page["study"] = study_section(results.study->result, pictures.study);
+    page["scripts"] = study_scripts(results.study->result);
+  }
+  page["provenance"] = pair_rows(run.provenance);
   std::vector<std::pair<std::string, std::string>> stages;
   for (const auto& [name, seconds] : results.stages.all())
     stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pairs(stages);
-  return render(page_mustache, page);
+  page["stages"] = pair_rows(stages);
+  return fill_in(page_mustache, page);
 }
 
 }  // namespace plumb

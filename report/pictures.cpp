@@ -51,20 +51,27 @@ SceneSpec page_scene(SceneSpec spec) {
 
 }  // namespace
 
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                  const PngTexts& texts, OutputFolder& folder) {
+  std::vector<Picture> pictures;
+  PlotRenderer plots(context);
+  for (const Figure& figure : figures) {
+    stop_if_interrupted();
+    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
+                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
+    write_file(folder.file(picture.file), picture.png);
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
 Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFolder& folder, Stages& stages,
               const DrawingProgress& progress) {
   Pictures result;
   const PngTexts texts{{"Software", "Plumb"}, {"Title", run.loaded.source.file.name}};
   stages.begin("figures");
   const GlContext context;
-  PlotRenderer plots(context);
-  for (const Figure& figure : figures(run, errors)) {
-    stop_if_interrupted();
-    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
-    write_file(folder.file(picture.file), picture.png);
-    result.figures.push_back(std::move(picture));
-  }
+  result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
   stages.begin("frames");
   SceneInput input = scene_input(run.loaded.spec);

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine/output/output_folder.h"
+#include "render/gl_context.h"
+#include "render/png.h"
 #include "report/figures.h"
 #include "report/stages.h"
 
@@ -22,6 +24,7 @@ struct Picture {
 /// What was drawn of a run, as the page needs it.
 struct Pictures {
   std::vector<Picture> figures;
+  std::vector<Picture> study;  ///< figures of a study of the same case, if there is one
   int frames = 0;
   double frame_rate = 0;          ///< 1/s
   int page_animation_width = 0;   ///< pixels
@@ -29,6 +32,11 @@ struct Pictures {
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
 };
+
+/// Draws figures into a folder: figures/*.png. Throws OutputError when drawing or writing fails, Interrupted
+/// when the user stops it.
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                  const PngTexts& texts, OutputFolder& folder);
 
 /// Called now and then with the share done, 0 to 1.
 using DrawingProgress = std::function<void(double)>;

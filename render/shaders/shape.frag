@@ -14,14 +14,20 @@ float distance_to_box(vec2 p, float half_side) {
   vec2 d = abs(p) - half_side;
   return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0);
 }
+// Equilateral, with its tip at the top and its middle at the origin; outside the corners, to the nearest side's line.
+float distance_to_triangle(vec2 p, float inner_radius) {
+  return max(p.y, 0.8660254 * abs(p.x) - 0.5 * p.y) - inner_radius;
+}
 void main() {
   float d;
   if (form.z < 0.5)
     d = distance_to_segment(position) - form.x;
   else if (form.z < 1.5)
     d = distance_to_box(position - segment.xy, form.x * 0.886);
-  else
+  else if (form.z < 2.5)
     d = distance_to_box(mat2(0.70710678, 0.70710678, -0.70710678, 0.70710678) * (position - segment.xy), form.x * 0.886);
+  else
+    d = distance_to_triangle((position - segment.xy) * vec2(1.0, form.z < 3.5 ? 1.0 : -1.0), form.x * 0.7);
   if (form.y > 0.0) d = abs(d) - form.y;
   coverage = clamp(0.5 - d, 0.0, 1.0);
 }

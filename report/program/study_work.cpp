@@ -8,6 +8,7 @@
 #include "engine/output/file_writing.h"
 #include "engine/study/cheapest.h"
 #include "engine/study/run_work_precision.h"
+#include "report/study_pictures.h"
 #include "report/study_report.h"
 
 namespace plumb {
@@ -118,9 +119,11 @@ bool is_study(const std::string& path) {
 ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages, const Options& options,
                         Talk& talk) {
   write_study(study, folder);
+  stages.begin("figures");
+  const std::vector<Picture> pictures = draw_study(study.result, folder);
   const StudyResults results = evaluate_study(study, stages);
   stages.begin("report");
-  const std::string json = write_study_report(results, folder);
+  const std::string json = write_study_report(results, pictures, folder);
   folder.commit();
   stages.end();
   say_orders(study.result, talk);
@@ -133,7 +136,7 @@ ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages
   say_verdicts(results.verdicts, talk);
   talk.line(headline(results));
   say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/summary.md");
+  talk.line("report: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(json);
   if (!results.any_completed()) return ExitStatus::solver_failed;
   return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;

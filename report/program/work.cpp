@@ -10,6 +10,7 @@
 #include "engine/output/file_writing.h"
 #include "engine/output/run_file.h"
 #include "report/page.h"
+#include "report/study_pictures.h"
 
 namespace plumb {
 
@@ -113,7 +114,12 @@ void say_stages(const Stages& stages, Talk& talk) {
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
                            Talk& talk, const Study* study) {
-  const Pictures pictures = draw_pictures(run, folder, stages, talk);
+  Pictures pictures = draw_pictures(run, folder, stages, talk);
+  if (study) {
+    stages.begin("study figures");
+    pictures.study = draw_study(study->result, folder);
+    stages.end();
+  }
   const Results results = evaluate(run, stages, study);
   stages.begin("report");
   const std::string json = write_report(results, pictures, folder);

@@ -140,7 +140,7 @@ Plot small(Series series) {
   panel.x.range = {0, 10};
   panel.y.range = {0, 1};
   panel.series = {std::move(series)};
-  plot.panels = {panel};
+  plot.panels.push_back(panel);
   return plot;
 }
 
@@ -149,6 +149,10 @@ std::array<int, 3> at(const Image& image, const Point& place) {
       static_cast<std::size_t>(3 * (static_cast<int>(place.y()) * image.width + static_cast<int>(place.x())));
   return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
+
+constexpr std::array every_marker = {Marker::circle,      Marker::square,        Marker::diamond,
+                                     Marker::triangle_up, Marker::triangle_down, Marker::cross,
+                                     Marker::plus,        Marker::circled_cross};
 
 constexpr std::array<int, 3> blue = {0x00, 0x72, 0xB2};
 
@@ -179,7 +183,7 @@ TEST_F(PlotRendererTest, NotANumberLeavesAGap) {
 }
 
 TEST_F(PlotRendererTest, EachMarkerAddsItsOwnPixels) {
-  for (const Marker marker : {Marker::circle, Marker::square, Marker::diamond, Marker::cross}) {
+  for (const Marker marker : every_marker) {
     Series series;
     series.x = {2, 5, 8};
     series.y = {0.2, 0.5, 0.8};
@@ -189,6 +193,148 @@ TEST_F(PlotRendererTest, EachMarkerAddsItsOwnPixels) {
     series.y[1] = nan;
     EXPECT_NE(renderer_.draw(small(series)), all) << "marker " << static_cast<int>(marker);
   }
+}
+
+TEST_F(PlotRendererTest, MarkersDifferInFormOpenAndFilled) {
+  std::vector<Image> pictures;
+  for (const Marker marker : every_marker)
+    for (const bool open : {true, false}) {
+      if (!open && (marker == Marker::cross || marker == Marker::plus || marker == Marker::circled_cross))
+        continue;
+      Series series;
+      series.x.push_back(5);
+      series.y.push_back(0.5);
+      series.line_width = 0;
+      series.marker = marker;
+      series.marker_size = 3;
+      series.open_marker = open;
+      pictures.push_back(renderer_.draw(small(series)));
+    }
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " and " << j;
+}
+
+TEST_F(PlotRendererTest, TrianglePointsUpwardsOrDownwards) {
+  for (const bool up : {true, false}) {
+    Series series;
+    series.x.push_back(5);
+    series.y.push_back(0.5);
+    series.line_width = 0;
+    series.marker = up ? Marker::triangle_up : Marker::triangle_down;
+    series.marker_size = 4;
+    series.open_marker = false;
+    const Plot plot = small(series);
+    const Image image = renderer_.draw(plot);
+    const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+    const Point middle(panel.x(5), panel.y(0.5));
+    const double radius = PlotSizes(plot.font_size).marker * 2;
+    const double tip = up ? -1 : 1;
+    EXPECT_EQ(at(image, middle), blue);
+    EXPECT_EQ(at(image, middle + radius * Point(0, 1.15 * tip)), blue) << "near the tip, up: " << up;
+    EXPECT_NE(at(image, middle - radius * Point(0, 1.15 * tip)), blue) << "beyond the base, up: " << up;
+    EXPECT_EQ(at(image, middle + radius * Point(0.9, -0.6 * tip)), blue) << "near a base corner, up: " << up;
+    EXPECT_NE(at(image, middle + radius * Point(0.9, 0.6 * tip)), blue) << "beside the tip, up: " << up;
+  }
+}
+
+TEST_F(PlotRendererTest, ValueNotAboveZeroLeavesAGapOnALogarithmicAxis) {
+  Series line;
+  line.x = {1, 3, 5, 7, 9};
+  line.y = {0.37, 0.37, 0, 0.37, 0.37};
+  line.line_width = 2;
+  Plot plot = small(line);
+  plot.panels[0].y.range = {0.01, 1};
+  plot.panels[0].y.scale = Scale::logarithmic;
+  const Image image = renderer_.draw(plot);
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(at(image, {panel.x(2.2), panel.y(0.37)}), blue);
+  EXPECT_NE(at(image, {panel.x(4.2), panel.y(0.37)}), blue);
+  EXPECT_NE(at(image, {panel.x(5.7), panel.y(0.37)}), blue);
+  EXPECT_EQ(at(image, {panel.x(7.8), panel.y(0.37)}), blue);
+}
+
+TEST_F(PlotRendererTest, BandIsShadedBelowTheSeriesAndLineOfARuleIsDrawn) {
+  Series line;
+  line.x = {2, 8};
+  line.y = {0.1, 0.1};
+  line.line_width = 2;
+  Plot plot = small(line);
+  Rule band;
+  band.to = 0.25;
+  Rule upright;
+  upright.upright = true;
+  upright.from = upright.to = 6.03;
+  upright.color = Color{};
+  plot.panels[0].rules = {band, upright};
+  const Image image = renderer_.draw(plot);
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(at(image, {panel.x(3.3), panel.y(0.1)}), blue);
+  const std::array<int, 3> shaded = at(image, {panel.x(3.3), panel.y(0.07)});
+  EXPECT_LT(shaded[0], 250);
+  EXPECT_GT(shaded[0], 200);
+  EXPECT_EQ(at(image, {panel.x(3.3), panel.y(0.37)}), (std::array<int, 3>{255, 255, 255})) << "above it";
+  EXPECT_LT(at(image, {panel.x(6.03), panel.y(0.77)})[0], 160) << "the upright line";
+}
+
+// Work against error for many methods, as a study has it.
+Plot work_precision(int curves) {
+  Plot plot;
+  plot.title = "Error against work";
+  plot.width = 2000;
+  plot.height = 1700;
+  Panel panel;
+  panel.x.label = "time loop [s]";
+  panel.y.label = "greatest tip error [m]";
+  panel.x.scale = panel.y.scale = Scale::logarithmic;
+  for (int k = 0; k < curves; ++k) {
+    const int order = 1 + k % 6;
+    Series s;
+    s.label = "method-of-order-" + std::to_string(order) + ", variant " + std::to_string(k / 6);
+    for (int i = 0; i < 9; ++i) {
+      s.x.push_back(2e-4 * std::pow(2.0, i) * (1 + 0.35 * k));
+      s.y.push_back(
+          std::max(0.3 * std::pow(2.0, -order * i) * (1 + 0.1 * k), 3e-13 * (1 + 0.2 * (k + i) / 9)));
+    }
+    s.marker = every_marker[static_cast<std::size_t>(k) % 5];
+    s.open_marker = k >= 6;
+    s.dash = k < 6 ? Dash::solid : Dash::dashed;
+    panel.series.push_back(s);
+  }
+  Series failed;
+  failed.label = "failed";
+  failed.x = {3e-4, 7e-4, 2e-3};
+  failed.y = {0.8, 0.8, 0.8};
+  failed.line_width = 0;
+  failed.marker = Marker::cross;
+  Series wrong = failed;
+  wrong.label = "stable but wrong";
+  wrong.x = {4e-4, 1e-3, 4e-3};
+  wrong.y = {0.4, 0.2, 0.3};
+  wrong.marker = Marker::circled_cross;
+  panel.series.push_back(failed);
+  panel.series.push_back(wrong);
+  Rule floor;
+  floor.to = 1e-12;
+  floor.label = "below 10^{\u221212} m the reference is not certified";
+  panel.rules.push_back(floor);
+  Rule limit;
+  limit.upright = true;
+  limit.from = limit.to = 0.05;
+  limit.label = "h_{max} = 1 ms";
+  limit.dash = Dash::dashed;
+  panel.rules.push_back(limit);
+  panel.y.range = {1e-13, 1};
+  plot.panels.push_back(panel);
+  return plot;
+}
+
+TEST_F(PlotRendererTest, LogarithmicPlotsRepeatToThePixel) {
+  const Image some = renderer_.draw(work_precision(5));
+  const Image many = renderer_.draw(work_precision(12));
+  keep("plot_work_precision", some);
+  keep("plot_work_precision_many", many);
+  EXPECT_EQ(renderer_.draw(work_precision(5)), some);
+  EXPECT_EQ(renderer_.draw(work_precision(12)), many);
 }
 
 TEST_F(PlotRendererTest, NothingIsDrawnOutsideTheFrame) {

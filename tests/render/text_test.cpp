@@ -38,6 +38,22 @@ TEST(Text, SuperscriptIsNarrowerAndStandsHigher) {
   EXPECT_LT(first_row(font.draw("10^{5}", {40})), first_row(font.draw("105", {40})));
 }
 
+// Rows from the top to the last with ink.
+int last_row(const TextBitmap& bitmap) {
+  for (std::size_t i = bitmap.coverage.size(); i-- > 0;)
+    if (bitmap.coverage[i] > 0) return static_cast<int>(i) / bitmap.width;
+  return -1;
+}
+
+TEST(Text, SubscriptIsNarrowerAndReachesLower) {
+  const Font font;
+  EXPECT_LT(font.measure("h_{5}", {40}).width, font.measure("h5", {40}).width);
+  EXPECT_GT(last_row(font.draw("h_{5}", {40})), last_row(font.draw("h5", {40})));
+  EXPECT_DOUBLE_EQ(font.measure("h_{5}", {40}).width, font.measure("h^{5}", {40}).width);
+  EXPECT_DOUBLE_EQ(font.measure("h_{5}+h^{2}", {40}).width,
+                   font.measure("h_{5}", {40}).width + font.measure("+h^{2}", {40}).width);
+}
+
 TEST(Text, UnclosedSuperscriptIsDrawnAsItStands) {
   const Font font;
   EXPECT_DOUBLE_EQ(font.measure("a^{b", {20}).width,

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// What the pages are made with.
+namespace plumb {
+
+/// A template with its values filled in, escaped for HTML.
+std::string fill_in(std::string_view text, const kainjow::mustache::data& values);
+
+/// "data:image/png;base64,…".
+std::string data_uri(const std::string& png);
+
+/// Rows of {{name}} and {{value}}.
+kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::string>>& items);
+
+}  // namespace plumb

@@ -1,0 +1,13 @@
+#include "report/study_pictures.h"
+
+#include "render/gl_context.h"
+#include "report/study_figures.h"
+
+namespace plumb {
+
+std::vector<Picture> draw_study(const WorkPrecision& study, OutputFolder& folder) {
+  const GlContext context;
+  return draw_figures(study_figures(study), context, {{"Software", "Plumb"}, {"Title", study.title}}, folder);
+}
+
+}  // namespace plumb

@@ -1,0 +1,60 @@
+#include "report/verdict_html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/page_template.h"
+
+namespace plumb {
+
+extern const std::string_view verdicts_mustache;
+
+namespace {
+
+using kainjow::mustache::data;
+
+std::string number(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+data verdict_rows(const std::vector<Verdict>& verdicts) {
+  std::vector<const Verdict*> order;
+  for (const Verdict& verdict : verdicts) order.push_back(&verdict);
+  // What failed comes first, then what was not run.
+  std::stable_sort(order.begin(), order.end(), [](const Verdict* a, const Verdict* b) {
+    const auto rank = [](const Verdict* v) {
+      return v->status == VerdictStatus::failed ? 0 : v->status == VerdictStatus::not_run ? 1 : 2;
+    };
+    return rank(a) < rank(b);
+  });
+  data rows{data::type::list};
+  for (const Verdict* verdict : order) {
+    data row;
+    row["status"] = std::string(word(verdict->status));
+    row["class"] = verdict->status == VerdictStatus::passed   ? "passed"
+                   : verdict->status == VerdictStatus::failed ? "failed"
+                                                              : "not-run";
+    row["kind"] = std::string(word(verdict->kind));
+    row["name"] = verdict->name;
+    row["criterion"] = verdict->criterion;
+    row["found"] =
+        verdict->status == VerdictStatus::not_run ? "not run" : number(verdict->value) + " " + verdict->unit;
+    row["share"] = verdict->status == VerdictStatus::not_run
+                       ? "–"
+                       : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
+    row["detail"] = verdict->detail;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string verdict_html(const std::vector<Verdict>& verdicts) {
+  data values;
+  values["verdicts"] = verdict_rows(verdicts);
+  return fill_in(verdicts_mustache, values);
+}
+
+}  // namespace plumb
