@@ -278,7 +278,9 @@ Figure order_figure(const WorkPrecision& study) {
     part.dash = Dash::solid;
     part.line_width = 3.5;
     part.color->a = 0.3F;
-    Series series = styled(fmt::format("{}: {}", line.label, order_in_words(curve)), style);
+    Series series = styled(
+        curve.observed.order < 0 ? line.label : fmt::format("{}: {:.2f}", line.label, curve.observed.order),
+        style);
     for (const std::size_t k : line.runs) {
       const StudyRun& run = study.runs[k];
       if (fate_of(study, run, StudyQuestion::time) == RunFate::failed) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace plumb {
@@ -109,21 +110,20 @@ std::vector<StudyLine> chosen_lines(const WorkPrecision& study, StudyQuestion qu
     return a.on_front != b.on_front ? a.on_front > b.on_front : a.handicap < b.handicap;
   });
   std::set<std::size_t> chosen;
-  std::set<MethodFamily> families;
+  std::map<MethodFamily, std::size_t> members;
   const auto choose = [&](const auto& wanted) {
-    for (const Rank& rank : ranks)
-      if (chosen.size() < most && !chosen.contains(rank.line) && wanted(rank)) {
-        chosen.insert(rank.line);
-        families.insert(lines[rank.line].family);
-      }
+    for (const Rank& rank : ranks) {
+      const MethodFamily family = lines[rank.line].family;
+      if (chosen.size() == most || chosen.contains(rank.line) || !wanted(rank, members[family])) continue;
+      chosen.insert(rank.line);
+      ++members[family];
+    }
   };
-  // Not so many from the front that no place is left for the other families.
-  std::set<MethodFamily> all_families;
-  for (const StudyLine& line : lines) all_families.insert(line.family);
-  const std::size_t kept_free = std::min(most - 1, all_families.size() - 1);
-  choose([&](const Rank& rank) { return rank.on_front > 0 && chosen.size() < most - kept_free; });
-  choose([&](const Rank& rank) { return !families.contains(lines[rank.line].family); });
-  choose([](const Rank&) { return true; });
+  const std::size_t share = (most + 1) / 2;
+  choose([](const Rank&, std::size_t of_family) { return of_family == 0; });
+  choose([&](const Rank& rank, std::size_t of_family) { return rank.on_front > 0 && of_family < share; });
+  choose([&](const Rank&, std::size_t of_family) { return of_family < share; });
+  choose([](const Rank&, std::size_t) { return true; });
   std::vector<StudyLine> result;
   for (const std::size_t line : chosen) result.push_back(lines[line]);
   return result;

@@ -46,9 +46,10 @@ struct StudyLine {
 /// In the order of the study's curves.
 std::vector<StudyLine> study_lines(const WorkPrecision& study, StudyQuestion question);
 
-/// The lines that one picture has room for, at most `most` of them, in their order: those on the front, the
-/// best of each family, and then the best of the rest. The best is the one that costs the least times what
-/// the cheapest run of at most the same error costs, at its best run.
+/// The lines that one picture has room for, at most `most` of them, in their order: the best of each family,
+/// then those on the front, then the best of the rest; of one family no more than half, unless there is room.
+/// Better is what has more runs on the front, and then what costs the least over the cheapest run of at most
+/// the same error, at its best run.
 std::vector<StudyLine> chosen_lines(const WorkPrecision& study, StudyQuestion question, std::size_t most);
 
 }  // namespace plumb

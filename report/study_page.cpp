@@ -94,8 +94,8 @@ std::string drawn_in_words(const WorkPrecision& study, StudyQuestion question) {
   const std::size_t all = study_lines(study, question).size();
   const std::size_t drawn = chosen_lines(study, question, most_drawn_curves).size();
   std::string text = drawn < all ? fmt::format(
-                                       " At first, {} of {} are shown: those on the front and the "
-                                       "best of each family.",
+                                       " At first, {} of {} are shown: the best of the front and of each "
+                                       "family.",
                                        drawn, counted(static_cast<long>(all), "curve", "curves"))
                                  : "";
   text += fmt::format(
@@ -285,8 +285,9 @@ std::string summary(const WorkPrecision& study) {
       "loop "
       "over repeats, one run at a time on one core; an error is the greatest distance of the tip over time, "
       "where nothing else is said.",
-      study.quick ? "A short study: " : "", counted(static_cast<long>(labels.size()), "method", "methods"),
-      study.end, completed, counted(static_cast<long>(study.runs.size()), "run", "runs"),
+      study.quick ? "A short study: " : "",
+      counted(static_cast<long>(labels.size()), "variant of a method", "variants of methods"), study.end,
+      completed, counted(static_cast<long>(study.runs.size()), "run", "runs"),
       "each with several steps or tolerances", meshes.size() == 1 ? "a mesh" : "meshes", of_meshes);
 }
 

@@ -224,7 +224,7 @@
       const xs = [], ys = [];
       for (const line of this.lines)
         for (const run of line.runs) {
-          if (fate(run, this.question) === "failed") continue;
+          if (!this.shown.has(line.label) || fate(run, this.question) === "failed") continue;
           const x = work(run, this.work), y = error(run, this);
           if (x > 0) xs.push(x);
           if (y > 0) ys.push(y);
