@@ -1,4 +1,4 @@
 # For those who have make: the same as make.sh, which needs nothing that a minimal Debian lacks.
-.PHONY: report test build
-report test build:
+.PHONY: report test build bench
+report test build bench:
 	./make.sh $@

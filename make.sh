@@ -3,6 +3,7 @@
 #   ./make.sh report   runs the pendulum and ends with where its report is
 #   ./make.sh test     runs the whole test suite
 #   ./make.sh build    builds only
+#   ./make.sh bench    measures the kernels and one step of each method
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -62,8 +63,12 @@ case ${1:-} in
   build)
     build plumb
     ;;
+  bench)
+    build plumb_bench
+    "build/$preset/tests/plumb_bench" --benchmark_min_time=0.2 --benchmark_counters_tabular=true "${@:2}"
+    ;;
   *)
-    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test and build" >&2; fi
+    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build and bench" >&2; fi
     sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p }' "$0" >&2
     exit 2
     ;;

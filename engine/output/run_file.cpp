@@ -9,8 +9,8 @@
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
-#include "engine/output/checked_file.h"
 #include "engine/model/support_constraints.h"
+#include "engine/output/checked_file.h"
 #include "engine/output/hdf5.h"
 #include "engine/output/stored_parts.h"
 

@@ -68,7 +68,7 @@ class Study {
   /// How well the two methods of a reference should agree, m. On the mesh of the case, time integration is in
   /// question and curves go down to the tightest tolerance; on the others the mesh errs by far more.
   double target(int elements) const {
-    constexpr double for_other_meshes = 1e-9, quick_target = 1e-9, round_off = 2e-13;
+    constexpr double for_other_meshes = 1e-9, quick_target = 1e-11, round_off = 2e-13;
     if (elements != fixed_elements()) return for_other_meshes * spec_.cable.length;
     const double share = std::max(0.01 * what_.tightest_tolerance, round_off);
     return (quick_ ? std::max(share, quick_target) : share) * spec_.cable.length;

@@ -17,8 +17,9 @@ struct CurvePlan {
 };
 
 /// The curves of the methods of `extent` that a study draws on each mesh. A method that takes both a step and
-/// tolerances has a curve of either kind; in the quick form, which draws no variants, only that of steps. Steps are those that divide the output interval next to evenly
-/// spaced logarithms, so that no output need be interpolated.
+/// tolerances has a curve of either kind; in the quick form, which draws no variants, only that of steps.
+/// Steps are those that divide the output interval next to evenly spaced logarithms, so that no output need
+/// be interpolated.
 std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyExtent& extent,
                                     double output_interval, bool quick);
 
