@@ -71,7 +71,7 @@ class EnergyMomentum : public OneStepMethod {
       change_ = residual_;
       lu_.solve(change_);
       ++dynamics().counters.newton_iterations;
-      correction = correction_size((0.5 * h * h) * change_, cable.element().length());
+      correction = correction_size(change_, 0.5 * h * h, cable.element().length());
       if (!std::isfinite(correction.metres)) break;
       x_ += change_;
       state = evaluate();

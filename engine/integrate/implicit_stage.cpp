@@ -55,8 +55,7 @@ StepResult ImplicitStage::solve(const StageEquation& equation, Eigen::VectorXd& 
     dynamics_.solve(residual_);
     ++dynamics_.counters.newton_iterations;
     x += residual_;
-    residual_ *= equation.position;
-    correction = correction_size(residual_, cable.element().length());
+    correction = correction_size(residual_, equation.position, cable.element().length());
     if (!std::isfinite(correction.metres)) break;
     if (correction.metres <= tolerance_) return {};
     const double rate = before > 0 ? correction.metres / before : 1;

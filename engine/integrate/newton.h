@@ -32,12 +32,14 @@ struct CorrectionSize {
   int element = 0;
 };
 
-inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double element_length) {
+/// Of the correction scale · dq.
+inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double scale, double element_length) {
   CorrectionSize size;
   const auto nodes = static_cast<int>(dq.size() / 6);
   for (int node = 0; node < nodes; ++node) {
-    const double largest = std::max(dq.segment<3>(6 * node).lpNorm<Eigen::Infinity>(),
-                                    element_length * dq.segment<3>(6 * node + 3).lpNorm<Eigen::Infinity>());
+    const double largest =
+        scale * std::max(dq.segment<3>(6 * node).lpNorm<Eigen::Infinity>(),
+                         element_length * dq.segment<3>(6 * node + 3).lpNorm<Eigen::Infinity>());
     if (!(largest <= size.metres)) size = {largest, std::min(node, nodes - 2)};
   }
   return size;

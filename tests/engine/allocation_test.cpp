@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+
+#include "engine/integrate/method.h"
+#include "tests/engine/pendulum.h"
+
+namespace {
+std::atomic<long> allocations = 0;
+}
+
+// The linker sends every malloc of this program and of the engine here (-Wl,--wrap=malloc); what shared
+// libraries ask for is not counted.
+extern "C" void* __real_malloc(std::size_t size);
+extern "C" void* __wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+
+namespace plumb {
+namespace {
+
+TEST(Allocation, NoMethodAllocatesWithinTheTimeLoop) {
+  for (const MethodInfo& info : method_infos())
+    for (const Support first : {Support::pinned, Support::clamped}) {
+      Case spec = pendulum(5, 6);
+      spec.supports.first = first;
+      const Cable cable(spec);
+      const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
+      Dynamics dynamics(cable);
+      const MethodSpec with = info.takes_step ? method(info.name, 1e-4) : method(info.name, {}, 1e-6);
+      const std::unique_ptr<Method> integrator = make_method(with, dynamics, start);
+      State between = start;
+      const auto steps = [&](int count) {
+        for (int k = 0; k < count; ++k) {
+          ASSERT_TRUE(integrator->step(10).ok()) << info.name;
+          integrator->interpolate(integrator->state().t, between);
+        }
+      };
+      steps(20);  // buffers get their sizes
+      const long before = allocations;
+      steps(200);
+      EXPECT_EQ(allocations - before, 0) << info.name << ", " << word(first);
+    }
+}
+
+TEST(Allocation, OfAVectorIsCounted) {
+  const long before = allocations;
+  const Eigen::VectorXd some = Eigen::VectorXd::Ones(100);
+  asm volatile("" : : "r"(some.data()) : "memory");  // so that it is not optimised away
+  EXPECT_EQ(allocations - before, 1);
+}
+
+}  // namespace
+}  // namespace plumb

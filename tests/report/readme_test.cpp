@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "engine/integrate/method_info.h"
+#include "tests/report/program.h"
+
+namespace plumb {
+namespace {
+
+TEST(Readme, TableOfMethodsSaysWhatTheProgramSays) {
+  const std::string readme = read_text(fs::path(PLUMB_SOURCE_DIR) / "README.md");
+  for (const MethodInfo& method : method_infos()) {
+    const std::string start = fmt::format("| `{}` | {} | {}", method.name, method.order, word(method.family));
+    const std::string end = fmt::format("| {} | {} |\n", method.conserves, method.use);
+    const std::size_t at = readme.find(start);
+    ASSERT_NE(at, readme.npos) << start;
+    EXPECT_NE(readme.substr(at, readme.find('\n', at) - at + 1).find(end), readme.npos)
+        << method.name << " should end with " << end;
+  }
+}
+
+TEST(Readme, NamesEveryVerbOfTheProgram) {
+  const std::string readme = read_text(fs::path(PLUMB_SOURCE_DIR) / "README.md");
+  for (const char* verb : {"run", "solve", "render", "report", "study", "check", "doctor"})
+    EXPECT_NE(readme.find(fmt::format("| `plumb {}", verb)), readme.npos) << verb;
+}
+
+}  // namespace
+}  // namespace plumb
