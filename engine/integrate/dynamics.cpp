@@ -22,7 +22,9 @@ void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) {
 }
 
 void Dynamics::acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a) {
-  force(q, a);
+  ++counters.force_evaluations;
+  if (const auto element = cable_.force(q, a); element && !collapsed_) collapsed_ = element;
+  // What acts on held coordinates has no effect on the others, and none on itself.
   cable_.mass().solve(a, scratch_);
 }
 

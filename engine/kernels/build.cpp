@@ -32,7 +32,15 @@ void system(const ElementConstants& element, double mass_factor, double stiffnes
 
 void add_up(int size, const double* first, int count, const double* factors, const double* const* terms,
             double* result) {
+  constexpr int wide = 4;
   int i = 0;
+  for (; i + wide * lanes <= size; i += wide * lanes) {
+    Lanes sum[wide];
+    for (int w = 0; w < wide; ++w) sum[w] = load_lanes(first + i + w * lanes);
+    for (int k = 0; k < count; ++k)
+      for (int w = 0; w < wide; ++w) sum[w] += factors[k] * load_lanes(terms[k] + i + w * lanes);
+    for (int w = 0; w < wide; ++w) store_lanes(result + i + w * lanes, sum[w]);
+  }
   for (; i + lanes <= size; i += lanes) {
     Lanes sum = load_lanes(first + i);
     for (int k = 0; k < count; ++k) sum += factors[k] * load_lanes(terms[k] + i);

@@ -16,8 +16,9 @@ struct NodeVectors {
 };
 
 PLUMB_INLINE NodeVectors load_node(const double* p) {
-  const Lanes front = load_lanes(p);
-  const Pair back = load_two(p + 4);
+  // Sixteen bytes at a time, as the forces are stored, so that what was just stored can be forwarded.
+  const Pair top = load_two(p), middle = load_two(p + 2), back = load_two(p + 4);
+  const Lanes front = __builtin_shufflevector(top, middle, 0, 1, 2, 3);
   return {front, __builtin_shufflevector(front, __builtin_shufflevector(back, back, 0, 1, 0, 1), 3, 4, 5, 3)};
 }
 PLUMB_INLINE void store_node(double* p, const NodeVectors& x) {
