@@ -42,7 +42,7 @@ std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor
   // The matrix was overwritten by what there was of its factors.
   assemble(q, mass_factor, stiffness_factor);
   ++counters.factorizations;
-  return lu_.factor(GeneralBlockTridiagonal(system_));
+  return lu_.factor(GeneralBlockTridiagonal<double>(system_));
 }
 
 void Dynamics::solve(Eigen::VectorXd& x) const {

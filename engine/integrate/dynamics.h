@@ -41,7 +41,7 @@ class Dynamics {
   const Cable& cable_;
   Eigen::VectorXd scratch_;
   BlockTridiagonal system_;  // and its factors, in place
-  BlockLu lu_;               // instead, where S is not positive definite
+  BlockLu<double> lu_;       // instead, where S is not positive definite
   bool definite_ = true;
   std::optional<int> collapsed_;
 };

@@ -26,7 +26,7 @@ class EnergyMomentum : public OneStepMethod {
         mass_(dynamics.cable().nodes()) {
     BlockTridiagonal mass(dynamics.cable().nodes());
     dynamics.cable().system(start.q, 1, 0, mass);
-    mass_ = GeneralBlockTridiagonal(mass);
+    mass_ = GeneralBlockTridiagonal<double>(mass);
     dynamics.acceleration(start.q, last_x_);
     dynamics.take_collapsed();
   }
@@ -114,8 +114,8 @@ class EnergyMomentum : public OneStepMethod {
   double tolerance_;  // m
   int iterations_;
   DiscreteGradient gradient_;
-  GeneralBlockTridiagonal matrix_, mass_;
-  BlockLu lu_;
+  GeneralBlockTridiagonal<double> matrix_, mass_;
+  BlockLu<double> lu_;
   double h_ = 0, last_h_ = 0;
   Eigen::VectorXd x_, last_x_;  // mean accelerations of this step and the last
   Eigen::VectorXd residual_, inertia_, change_;

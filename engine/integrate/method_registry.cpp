@@ -20,6 +20,7 @@ MethodEntry energy_momentum_entry();
 MethodEntry cvode_bdf_entry();
 MethodEntry cvode_adams_entry();
 MethodEntry arkode_dirk_entry();
+MethodEntry gauss_entry();
 MethodEntry ida_entry();
 
 namespace {
@@ -38,6 +39,7 @@ const std::vector<MethodEntry>& entries() {
       implicit_midpoint_entry(),
       energy_momentum_entry(),
       arkode_dirk_entry(),
+      gauss_entry(),
       cvode_adams_entry(),
       cvode_bdf_entry(),
       ida_entry(),

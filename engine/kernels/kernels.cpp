@@ -14,7 +14,9 @@ const Kernels& plain_kernels() {
 
 const Kernels* v3_kernels() {
 #ifdef PLUMB_HAS_V3_KERNELS
-  if (__builtin_cpu_supports("avx2")) return &kernels::for_v3;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+      __builtin_cpu_supports("fma"))
+    return &kernels::for_v3;
 #endif
   return nullptr;
 }

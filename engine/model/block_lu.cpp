@@ -1,6 +1,7 @@
 #include "engine/model/block_lu.h"
 
 #include <cmath>
+#include <complex>
 
 namespace plumb {
 namespace {
@@ -8,55 +9,80 @@ namespace {
 /// A pivot smaller than this against the largest number of its column is round-off of a zero.
 constexpr double singular_ratio = 1e-14;
 
-using Segment = Eigen::Matrix<double, 6, 1>;
+Block6 full_diagonal(const BlockTridiagonal& symmetric, int node) {
+  return symmetric.diagonal(node).selfadjointView<Eigen::Lower>();
+}
 
 }  // namespace
 
-GeneralBlockTridiagonal::GeneralBlockTridiagonal(const BlockTridiagonal& symmetric)
+template <class Scalar>
+GeneralBlockTridiagonal<Scalar>::GeneralBlockTridiagonal(const BlockTridiagonal& symmetric)
     : GeneralBlockTridiagonal(symmetric.nodes()) {
   for (int i = 0; i < nodes(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    diagonal[at] = symmetric.diagonal(i).selfadjointView<Eigen::Lower>();
+    diagonal[at] = full_diagonal(symmetric, i).template cast<Scalar>();
     if (i + 1 == nodes()) break;
-    below[at] = symmetric.below(i);
-    above[at] = symmetric.below(i).transpose();
+    below[at] = symmetric.below(i).template cast<Scalar>();
+    above[at] = below[at].transpose();
   }
 }
 
-void GeneralBlockTridiagonal::set_zero() {
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::set_zero() {
   for (auto* blocks : {&diagonal, &below, &above})
-    for (Block6& block : *blocks) block.setZero();
+    for (Block& block : *blocks) block.setZero();
 }
 
-std::optional<int> BlockLu::factor(const GeneralBlockTridiagonal& A) {
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::set_sum(const BlockTridiagonal& A, Scalar factor,
+                                              const BlockTridiagonal& B) {
+  for (int i = 0; i < nodes(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    diagonal[at] =
+        full_diagonal(A, i).template cast<Scalar>() + factor * full_diagonal(B, i).template cast<Scalar>();
+    if (i + 1 == nodes()) break;
+    below[at] = A.below(i).template cast<Scalar>() + factor * B.below(i).template cast<Scalar>();
+    above[at] = below[at].transpose();
+  }
+}
+
+template <class Scalar>
+std::optional<int> BlockLu<Scalar>::factor(const GeneralBlockTridiagonal<Scalar>& A) {
   const auto nodes = static_cast<std::size_t>(A.nodes());
   pivots_.resize(nodes);
   over_.resize(nodes - 1);
   below_ = A.below;
-  Block6 eliminated;
+  Block eliminated;
   for (std::size_t i = 0; i < nodes; ++i) {
     eliminated = A.diagonal[i];
     if (i > 0) eliminated.noalias() -= below_[i - 1] * over_[i - 1];
     pivots_[i].compute(eliminated);
     const auto pivots = pivots_[i].matrixLU().diagonal();
     for (int k = 0; k < 6; ++k) {
-      const double largest = A.diagonal[i].col(k).cwiseAbs().maxCoeff();
-      if (!std::isfinite(pivots[k]) || !(std::abs(pivots[k]) > singular_ratio * largest))
-        return static_cast<int>(i);
+      const auto largest = A.diagonal[i].col(k).cwiseAbs().maxCoeff();
+      const double pivot = std::abs(pivots[k]);
+      if (!std::isfinite(pivot) || !(pivot > singular_ratio * largest)) return static_cast<int>(i);
     }
     if (i + 1 < nodes) over_[i] = pivots_[i].solve(A.above[i]);
   }
   return std::nullopt;
 }
 
-void BlockLu::solve(Eigen::VectorXd& x) const {
+template <class Scalar>
+void BlockLu<Scalar>::solve(Vector& x) const {
+  using Segment = Eigen::Matrix<Scalar, 6, 1>;
   const std::size_t nodes = pivots_.size();
-  const auto part = [&](std::size_t i) { return x.segment<6>(6 * static_cast<Eigen::Index>(i)); };
+  const auto part = [&](std::size_t i) { return x.template segment<6>(6 * static_cast<Eigen::Index>(i)); };
   for (std::size_t i = 0; i < nodes; ++i) {
     if (i > 0) part(i).noalias() -= below_[i - 1] * Segment(part(i - 1));
     part(i) = pivots_[i].solve(Segment(part(i)));
   }
   for (std::size_t i = nodes - 1; i-- > 0;) part(i).noalias() -= over_[i] * Segment(part(i + 1));
 }
+
+template struct GeneralBlockTridiagonal<double>;
+template struct GeneralBlockTridiagonal<std::complex<double>>;
+template class BlockLu<double>;
+template class BlockLu<std::complex<double>>;
 
 }  // namespace plumb

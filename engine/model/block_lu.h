@@ -8,8 +8,11 @@
 
 namespace plumb {
 
-/// A block tridiagonal matrix that need not be symmetric.
+/// A block tridiagonal matrix that need not be symmetric, of real or complex numbers.
+template <class Scalar>
 struct GeneralBlockTridiagonal {
+  using Block = Eigen::Matrix<Scalar, 6, 6>;
+
   explicit GeneralBlockTridiagonal(int nodes)
       : diagonal(static_cast<std::size_t>(nodes)),
         below(static_cast<std::size_t>(nodes - 1)),
@@ -18,27 +21,35 @@ struct GeneralBlockTridiagonal {
 
   int nodes() const { return static_cast<int>(diagonal.size()); }
   void set_zero();
+  /// Becomes A + factor B; all have the same number of nodes.
+  void set_sum(const BlockTridiagonal& A, Scalar factor, const BlockTridiagonal& B);
 
-  std::vector<Block6> diagonal;
-  std::vector<Block6> below;  ///< rows of the next node
-  std::vector<Block6> above;  ///< columns of the next node
+  std::vector<Block> diagonal;
+  std::vector<Block> below;  ///< rows of the next node
+  std::vector<Block> above;  ///< columns of the next node
 };
 
 /// LU factors of a block tridiagonal matrix with row exchanges within each block, for the matrices that are
-/// not symmetric positive definite: that of a cable in strong compression, that of a discrete gradient.
+/// not symmetric positive definite: that of a cable in strong compression, that of a discrete gradient, the
+/// complex one of a Gauss method.
+template <class Scalar>
 class BlockLu {
  public:
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
   /// Factors A. Returns the first node whose pivot vanishes against its column or is not finite; nothing if
   /// all is well. After a failure the factors must not be used.
-  [[nodiscard]] std::optional<int> factor(const GeneralBlockTridiagonal& A);
+  [[nodiscard]] std::optional<int> factor(const GeneralBlockTridiagonal<Scalar>& A);
 
   /// x := A⁻¹ x.
-  void solve(Eigen::VectorXd& x) const;
+  void solve(Vector& x) const;
 
  private:
-  std::vector<Eigen::PartialPivLU<Block6>> pivots_;  // of the eliminated diagonal blocks D
-  std::vector<Block6> over_;                         // D⁻¹ · above
-  std::vector<Block6> below_;
+  using Block = Eigen::Matrix<Scalar, 6, 6>;
+
+  std::vector<Eigen::PartialPivLU<Block>> pivots_;  // of the eliminated diagonal blocks D
+  std::vector<Block> over_;                         // D⁻¹ · above
+  std::vector<Block> below_;
 };
 
 }  // namespace plumb

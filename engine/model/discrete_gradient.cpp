@@ -141,7 +141,7 @@ std::optional<int> DiscreteGradient::force(const Eigen::VectorXd& q0, const Eige
 }
 
 void DiscreteGradient::add_tangent(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, double factor,
-                                   GeneralBlockTridiagonal& A) const {
+                                   GeneralBlockTridiagonal<double>& A) const {
   for (int e = 0; e < elements_; ++e) {
     Vector12 D = Vector12::Zero();
     Matrix12 K = Matrix12::Zero();

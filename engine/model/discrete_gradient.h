@@ -24,7 +24,7 @@ class DiscreteGradient {
 
   /// Adds factor · ∂D/∂q₁, which is not symmetric, to A.
   void add_tangent(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, double factor,
-                   GeneralBlockTridiagonal& A) const;
+                   GeneralBlockTridiagonal<double>& A) const;
 
  private:
   /// Shape function derivatives at an integration point, and its weight times l, m.

@@ -48,7 +48,7 @@ void SupportProjection::apply(BlockTridiagonal& A) const {
   hold(supports_.last, nodes_ - 1);
 }
 
-void SupportProjection::apply(GeneralBlockTridiagonal& A) const {
+void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
   const auto hold = [&](Support support, int node) {
     if (support == Support::free) return;
     const Block6 P = node_projection(support, direction_);

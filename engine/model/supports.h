@@ -7,6 +7,7 @@
 namespace plumb {
 
 class BlockTridiagonal;
+template <class Scalar>
 struct GeneralBlockTridiagonal;
 
 /// What the supports hold, as a projection P on the admissible rates of the nodal coordinates (6 a node: r,
@@ -22,7 +23,7 @@ class SupportProjection {
 
   /// A := P A P + (I − P): held coordinates get the equation x = 0.
   void apply(BlockTridiagonal& A) const;
-  void apply(GeneralBlockTridiagonal& A) const;
+  void apply(GeneralBlockTridiagonal<double>& A) const;
 
   const SupportsSpec& spec() const { return supports_; }
   const Vec3& direction() const { return direction_; }

@@ -12,7 +12,7 @@ struct StudyReference {
 };
 
 /// Integrates the cable of a case, on its mesh, by ARKODE's explicit pairs of order 5 and 8 and by the
-/// classical Runge-Kutta method of order 4 with a fixed step, both finer and finer until their tips agree to
+/// Nyström pair of order 8 with a fixed step, both finer and finer until their tips agree to
 /// `target` (m), as long as that helps and takes no more than `time_limit` (s) in all. `agreement` is the
 /// best that was reached.
 StudyReference make_reference(const Case& spec, double target, double time_limit);

@@ -8,16 +8,16 @@
 namespace plumb {
 namespace {
 
-GeneralBlockTridiagonal random_matrix(int nodes, unsigned seed) {
+GeneralBlockTridiagonal<double> random_matrix(int nodes, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
-  GeneralBlockTridiagonal A(nodes);
+  GeneralBlockTridiagonal<double> A(nodes);
   for (auto* blocks : {&A.diagonal, &A.below, &A.above})
     for (Block6& block : *blocks) block = Block6::NullaryExpr([&] { return unit(generator); });
   return A;
 }
 
-Eigen::MatrixXd dense(const GeneralBlockTridiagonal& A) {
+Eigen::MatrixXd dense(const GeneralBlockTridiagonal<double>& A) {
   Eigen::MatrixXd full = Eigen::MatrixXd::Zero(6 * A.nodes(), 6 * A.nodes());
   for (int i = 0; i < A.nodes(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -32,10 +32,10 @@ Eigen::MatrixXd dense(const GeneralBlockTridiagonal& A) {
 TEST(BlockLu, SolvesSystemsThatAreNeitherSymmetricNorDefinite) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const int nodes = 2 + static_cast<int>(seed % 9);
-    const GeneralBlockTridiagonal A = random_matrix(nodes, seed);
+    const GeneralBlockTridiagonal<double> A = random_matrix(nodes, seed);
     const Eigen::VectorXd expected = Eigen::VectorXd::LinSpaced(6 * nodes, -1, 1);
     Eigen::VectorXd x = dense(A) * expected;
-    BlockLu lu;
+    BlockLu<double> lu;
     ASSERT_EQ(lu.factor(A), std::nullopt) << "seed " << seed;
     lu.solve(x);
     EXPECT_LE((x - expected).norm(), 1e-8 * expected.norm()) << "seed " << seed;
@@ -43,8 +43,8 @@ TEST(BlockLu, SolvesSystemsThatAreNeitherSymmetricNorDefinite) {
 }
 
 TEST(BlockLu, NamesTheNodeOfASingularBlock) {
-  GeneralBlockTridiagonal A = random_matrix(5, 3);
-  BlockLu lu;
+  GeneralBlockTridiagonal<double> A = random_matrix(5, 3);
+  BlockLu<double> lu;
   A.below[2].setZero();
   A.above[3].setZero();
   A.above[2].setZero();
@@ -53,8 +53,8 @@ TEST(BlockLu, NamesTheNodeOfASingularBlock) {
 }
 
 TEST(BlockLu, NamesTheNodeOfANumberThatIsNotFinite) {
-  GeneralBlockTridiagonal A = random_matrix(5, 4);
-  BlockLu lu;
+  GeneralBlockTridiagonal<double> A = random_matrix(5, 4);
+  BlockLu<double> lu;
   A.diagonal[2](1, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(lu.factor(A), 2);
 }

@@ -78,7 +78,7 @@ TEST_P(DiscreteGradientOf, TangentIsTheDerivativeByTheNewState) {
   const Cable with(spec);
   const DiscreteGradient gradient(with);
   const Eigen::VectorXd q0 = state(0.1), q1 = state(0.1);
-  GeneralBlockTridiagonal A(with.nodes());
+  GeneralBlockTridiagonal<double> A(with.nodes());
   A.set_zero();
   gradient.add_tangent(q0, q1, 1, A);
   constexpr double h = 1e-6;

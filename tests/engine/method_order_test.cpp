@@ -65,6 +65,10 @@ TEST(MethodOrder, VelocityVerletIsOfOrderTwo) {
   expect_order("velocity-verlet", 4e-4, 2);
 }
 
+TEST(MethodOrder, GaussIsOfOrderSix) {
+  expect_order("gauss", 5e-4, 6, 0.6);
+}
+
 TEST(MethodOrder, RungeKuttaNystromIsOfOrderEight) {
   expect_order("runge-kutta-nystrom", 1.25e-3, 8, 0.6);
 }
