@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "engine/integrate/method_info.h"
@@ -40,7 +42,10 @@ inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double scale, d
     const double largest =
         scale * std::max(dq.segment<3>(6 * node).lpNorm<Eigen::Infinity>(),
                          element_length * dq.segment<3>(6 * node + 3).lpNorm<Eigen::Infinity>());
-    if (!(largest <= size.metres)) size = {largest, std::min(node, nodes - 2)};
+    // What is not a number stays the answer.
+    if (!(largest <= size.metres) || !dq.segment<6>(6 * node).allFinite())
+      size = {std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity(),
+              std::min(node, nodes - 2)};
   }
   return size;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -36,8 +37,14 @@ void OneStepMethod::keep(double t) {
 
 StepResult OneStepMethod::fixed_step(double stop) {
   double next = h_ * static_cast<double>(taken_ + 1);
-  if (next > stop - sliver * h_) next = stop;
-  StepResult result = advance(next - now_.t, now_, before_);
+  // Always the same h but for the step that is cut: differences of times differ in their last bits, and
+  // methods keep what they have factored for h.
+  double h = h_;
+  if (next > stop - sliver * h_) {
+    if (std::abs(next - stop) > sliver * h_) h = stop - now_.t;
+    next = stop;
+  }
+  StepResult result = advance(h, now_, before_);
   if (!result.ok()) return result;
   keep(next);
   ++taken_;
@@ -45,7 +52,7 @@ StepResult OneStepMethod::fixed_step(double stop) {
 }
 
 StepResult OneStepMethod::controlled_step(double stop) {
-  constexpr double shortest_share = 1e-13;  // of the time left; below it, time would stand still
+  constexpr double shortest_share = 1e-13;  // of the time to stop at; below it, time would stand still
   if (h_ == 0) {
     dynamics_.acceleration(now_.q, error_);
     h_ = control_->first_step(error_, stop);
@@ -63,7 +70,12 @@ StepResult OneStepMethod::controlled_step(double stop) {
       const double wished = control_->next(h, size);
       if (size <= 1) {
         // A step cut short by the stop says nothing about the next.
-        h_ = h < h_ ? std::max(h_, wished) : wished;
+        if (h < h_) {
+          h_ = std::max(h_, wished);
+        } else {
+          control_->accept(size);
+          h_ = wished;
+        }
         keep(ends ? stop : now_.t + h);
         ++taken_;
         return result;
@@ -74,7 +86,7 @@ StepResult OneStepMethod::controlled_step(double stop) {
     }
     ++rejected_;
     dynamics_.take_collapsed();
-    if (h_ <= shortest_share * left) {
+    if (h_ <= shortest_share * stop) {
       if (!result.ok()) return result;
       return {Outcome::no_convergence,
               fmt::format("the error is {:.3g} times what is allowed even with a step of {:.3g} s", size, h),

@@ -18,7 +18,10 @@ class RungeKuttaNystrom : public OneStepMethod {
     before_a_ = k_[0];
   }
 
-  /// Quintic Hermite interpolation from q, v and a at both ends, whose error is below that of the method.
+  /// Steps of its own choice are too long for the interpolation, whose error is of order 6 in q.
+  bool stops_at_outputs() const override { return controlled(); }
+
+  /// Quintic Hermite interpolation from q, v and a at both ends.
   void interpolate(double t, State& at) const override {
     const State &from = before(), &to = state();
     const double h = to.t - from.t, x = (t - from.t) / h, y = 1 - x;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plumb {
 namespace {
@@ -21,7 +22,9 @@ double StepControl::size(const Eigen::VectorXd& error) const {
   for (Eigen::Index i = 0; i < error.size(); i += 6) {
     const double size = std::max(error.segment<3>(i).lpNorm<Eigen::Infinity>() / position_scale_,
                                  error.segment<3>(i + 3).lpNorm<Eigen::Infinity>() / slope_scale_);
-    if (!(size <= greatest)) greatest = size;
+    if (!std::isfinite(size) || !error.segment<6>(i).allFinite())
+      return std::numeric_limits<double>::infinity();
+    greatest = std::max(greatest, size);
   }
   return greatest;
 }
@@ -34,15 +37,16 @@ double StepControl::first_step(const Eigen::VectorXd& a, double end) const {
   return std::clamp(std::sqrt(0.02 / per_square), shortest, end);
 }
 
-double StepControl::next(double h, double size) {
+double StepControl::next(double h, double size) const {
   if (!std::isfinite(size)) return after_failure(h);
   const double now = std::max(size, least_size);
-  double factor = safety * std::pow(now, -0.7 * exponent_) * std::pow(last_, 0.4 * exponent_);
-  if (now > 1)
-    factor = std::min(safety * std::pow(now, -exponent_), safety);
-  else
-    last_ = now;
+  const double factor = now > 1 ? std::min(safety * std::pow(now, -exponent_), safety)
+                                : safety * std::pow(now, -0.7 * exponent_) * std::pow(last_, 0.4 * exponent_);
   return h * std::clamp(factor, least_change, greatest_change);
+}
+
+void StepControl::accept(double size) {
+  last_ = std::max(size, least_size);
 }
 
 }  // namespace plumb

@@ -19,7 +19,10 @@ class StepControl {
   double first_step(const Eigen::VectorXd& a, double end) const;
 
   /// The step after one of h whose error had this size, accepted (≤ 1) or not.
-  double next(double h, double size);
+  double next(double h, double size) const;
+
+  /// A step of full length with an error of this size counts for those that follow.
+  void accept(double size);
 
   /// The step after one of h that could not be completed.
   static double after_failure(double h) { return h / 4; }

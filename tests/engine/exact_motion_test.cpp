@@ -93,7 +93,7 @@ TEST_P(EveryMethod, LeavesAHangingCableAtRest) {
   }
   // ρ A g L² / 2EA, up to the second order of Green's strain.
   EXPECT_NEAR(-start.q.tail<6>()[1] - 1, 9.81e-4, 2e-6);
-  const Trajectory trajectory = integrate(cable, start, spec_of(info, 5e-4, 1e-9), {0.5, 0.1});
+  const Trajectory trajectory = integrate(cable, start, spec_of(info, 5e-4, 1e-10), {0.5, 0.1});
   ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
   for (const Eigen::VectorXd& q : trajectory.q) EXPECT_LE((q - start.q).lpNorm<Eigen::Infinity>(), 1e-9);
 }
