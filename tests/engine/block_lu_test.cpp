@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <limits>
 #include <random>
 
@@ -37,6 +38,33 @@ TEST(BlockLu, SolvesSystemsThatAreNeitherSymmetricNorDefinite) {
     Eigen::VectorXd x = dense(A) * expected;
     BlockLu<double> lu;
     ASSERT_EQ(lu.factor(A), std::nullopt) << "seed " << seed;
+    lu.solve(x);
+    EXPECT_LE((x - expected).norm(), 1e-8 * expected.norm()) << "seed " << seed;
+  }
+}
+
+// What the Gauss method solves: M + λ K with a complex λ, from two symmetric matrices.
+TEST(BlockLu, SolvesTheComplexSumOfTwoSymmetricMatrices) {
+  using Complex = std::complex<double>;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const int nodes = 2 + static_cast<int>(seed % 5);
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    BlockTridiagonal A(nodes), B(nodes);
+    for (BlockTridiagonal* matrix : {&A, &B})
+      for (int i = 0; i < nodes; ++i) {
+        matrix->diagonal(i) = Block6::NullaryExpr([&] { return unit(generator); });
+        if (i + 1 < nodes) matrix->below(i) = Block6::NullaryExpr([&] { return unit(generator); });
+      }
+    const Complex factor(0.3, -0.7);
+    GeneralBlockTridiagonal<Complex> sum(nodes);
+    sum.set_sum(A, factor, B);
+    const Eigen::MatrixXcd full = A.dense().cast<Complex>() + factor * B.dense().cast<Complex>();
+    const Eigen::VectorXcd expected =
+        Eigen::VectorXcd::NullaryExpr(6 * nodes, [&] { return Complex(unit(generator), unit(generator)); });
+    Eigen::VectorXcd x = full * expected;
+    BlockLu<Complex> lu;
+    ASSERT_EQ(lu.factor(sum), std::nullopt) << "seed " << seed;
     lu.solve(x);
     EXPECT_LE((x - expected).norm(), 1e-8 * expected.norm()) << "seed " << seed;
   }
