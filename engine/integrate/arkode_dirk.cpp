@@ -74,8 +74,8 @@ class ArkodeDirk : public sundials::ArkodeMethod {
   /// The library's number for extrapolating the last step with the highest order at hand.
   static constexpr int maximum_order = 1;
   /// What Newton's iteration may leave, as a fraction of the tolerance. It enters the estimated error as it
-  /// is, however short the step; with a tenth, the library's own choice, steps were seen to shrink to 1e-14 s
-  /// and stay there.
+  /// is, however short the step: with a tenth, the library's own choice, it can exceed the tolerance at every
+  /// step.
   static constexpr double iteration_share = 0.01;
 
   /// Ends Newton's iteration where the corrections are below a length (m): slopes count by the length of an

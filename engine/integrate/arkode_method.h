@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/library_method.h"
 
 namespace plumb::sundials {
@@ -13,10 +14,10 @@ class ArkodeMethod : public LibraryMethod {
  public:
   ArkodeMethod(const MethodSpec& spec, Dynamics& dynamics, const State& start);
 
-  bool stops_at_outputs() const final { return !fixed_step_; }
+  bool stops_at_outputs() const final { return !steps_; }
 
  protected:
-  bool has_fixed_step() const { return fixed_step_.has_value(); }
+  bool has_fixed_step() const { return steps_.has_value(); }
 
   /// Asks the library for the next step to be of size h (s), whatever its error.
   virtual void fix_step(double h) = 0;
@@ -28,8 +29,7 @@ class ArkodeMethod : public LibraryMethod {
  private:
   int evolve(double stop, double& reached) final;
 
-  std::optional<double> fixed_step_;  // s
-  long taken_ = 0;
+  std::optional<FixedSteps> steps_;
 };
 
 }  // namespace plumb::sundials

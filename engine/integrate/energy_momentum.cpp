@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
@@ -91,11 +89,7 @@ class EnergyMomentum : public OneStepMethod {
         return {};
       }
     }
-    return {Outcome::no_convergence,
-            fmt::format(
-                "Newton's iteration did not converge: its last correction was {:.3g} m, {:.3g} m is allowed",
-                correction.metres, tolerance_),
-            correction.element};
+    return not_converged(correction, tolerance_);
   }
 
   void estimate_error(double h, const State&, const State&, Eigen::VectorXd& e) override {

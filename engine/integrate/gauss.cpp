@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
@@ -178,11 +176,7 @@ class Gauss : public OneStepMethod {
       before = correction.metres;
     }
     factored_h_ = 0;
-    return {Outcome::no_convergence,
-            fmt::format(
-                "Newton's iteration did not converge: its last correction was {:.3g} m, {:.3g} m is allowed",
-                correction.metres, tolerance_),
-            correction.element};
+    return not_converged(correction, tolerance_);
   }
 
   /// Rᵢ = f(Qᵢ) − M Xᵢ; leaves the middle stage's Qᵢ in middle_.

@@ -13,12 +13,10 @@ StructuralScheme scheme_of(double rho) {
   const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
   const double gamma = 0.5 - alpha_m + alpha_f;
   const double beta = 0.25 * (1 - alpha_m + alpha_f) * (1 - alpha_m + alpha_f);
-  StructuralScheme s{
-      .position_old = 0.5 - beta, .position_new = beta, .velocity_old = 1 - gamma, .velocity_new = gamma};
+  StructuralScheme s = newmark(beta, gamma);
   s.mass_old = alpha_m;
   s.mass_new = 1 - alpha_m;
   s.point = 1 - alpha_f;
-  s.error = beta - 1.0 / 6;
   return s;
 }
 

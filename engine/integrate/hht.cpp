@@ -8,11 +8,9 @@ namespace {
 /// α = 0 is the trapezoidal rule, α = −1/3 damps most.
 StructuralScheme scheme_of(double alpha) {
   const double beta = 0.25 * (1 - alpha) * (1 - alpha), gamma = 0.5 - alpha;
-  StructuralScheme s{
-      .position_old = 0.5 - beta, .position_new = beta, .velocity_old = 1 - gamma, .velocity_new = gamma};
+  StructuralScheme s = newmark(beta, gamma);
   s.force_old = -alpha;
   s.force_new = 1 + alpha;
-  s.error = beta - 1.0 / 6;
   return s;
 }
 

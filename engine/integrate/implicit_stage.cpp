@@ -1,7 +1,5 @@
 #include "engine/integrate/implicit_stage.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "engine/integrate/newton.h"
@@ -70,11 +68,7 @@ StepResult ImplicitStage::solve(const StageEquation& equation, Eigen::VectorXd& 
     before = correction.metres;
   }
   has_factors_ = false;
-  return {Outcome::no_convergence,
-          fmt::format(
-              "Newton's iteration did not converge: its last correction was {:.3g} m, {:.3g} m is allowed",
-              correction.metres, tolerance_),
-          correction.element};
+  return not_converged(correction, tolerance_);
 }
 
 }  // namespace plumb

@@ -9,10 +9,10 @@ namespace plumb {
 /// What is solved for an acceleration x in an implicit step:
 ///   mass · M x = force · f(point) + known,   point = base + reach · x.
 struct StageEquation {
-  const Eigen::VectorXd& base;  ///< m and 1
-  double reach = 0;             ///< s²
-  double force = 1;
-  double mass = 1;
+  const Eigen::VectorXd& base;             ///< m and 1
+  double reach = 0;                        ///< s², > 0
+  double force = 1;                        ///< pure number, > 0
+  double mass = 1;                         ///< pure number, > 0
   const Eigen::VectorXd* known = nullptr;  ///< N and N m; none: 0
   double position = 0;                     ///< how far q moves with x, s²: sets the scale of a correction
 };

@@ -94,10 +94,11 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     stop_if_interrupted();
     last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : time.end);
     const State& now = integrator->state();
-    const bool look = (dynamics.counters.steps + 1) % steps_between_looks == 0;
+    const bool look =
+        (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
     if (last.ok()) {
       const auto collapsed = dynamics.take_collapsed();
-      if (look || collapsed || outputs[next] <= now.t + near) last = monitor.check(now);
+      if (look || collapsed) last = monitor.check(now);
       if (last.ok() && collapsed)
         last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
       if (last.ok()) ++dynamics.counters.steps;

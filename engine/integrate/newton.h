@@ -1,30 +1,33 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method.h"
 
 namespace plumb {
 
 /// The keys of [method] that every method with Newton's iteration takes.
 inline std::vector<MethodParameter> newton_parameters() {
-  return {{.name = "newton_tolerance",
-           .meaning =
-               "largest last correction of a position, or of a slope times the element length, as a fraction "
-               "of the cable's length",
-           .minimum = 1e-15,
-           .maximum = 1e-3,
-           .fallback = 1e-11},
-          {.name = "newton_iterations",
-           .meaning = "most corrections in a step",
-           .minimum = 1,
-           .maximum = 100,
-           .fallback = 50,
-           .whole = true}};
+  return {
+      {.name = "newton_tolerance",
+       .meaning =
+           "largest error left of a position, or of a slope times the element length, as a fraction of the "
+           "cable's length",
+       .minimum = 1e-15,
+       .maximum = 1e-3,
+       .fallback = 1e-11},
+      {.name = "newton_iterations",
+       .meaning = "most corrections in a step",
+       .minimum = 1,
+       .maximum = 100,
+       .fallback = 50,
+       .whole = true}};
 }
 
 /// Size of a correction of the nodal coordinates: the largest change of a position, or of a slope times the
@@ -48,6 +51,15 @@ inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double scale, d
               std::min(node, nodes - 2)};
   }
   return size;
+}
+
+/// The outcome of an iteration whose last correction was this, with `tolerance` in m.
+inline StepResult not_converged(const CorrectionSize& correction, double tolerance) {
+  return {Outcome::no_convergence,
+          fmt::format(
+              "Newton's iteration did not converge: its last correction was {:.3g} m, {:.3g} m is allowed",
+              correction.metres, tolerance),
+          correction.element};
 }
 
 }  // namespace plumb

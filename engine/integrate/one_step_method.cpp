@@ -2,22 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "engine/integrate/state_at.h"
 
 namespace plumb {
-namespace {
-
-/// A sliver of a step left by round-off is not taken: the step before it reaches the stop.
-constexpr double sliver = 1e-9;
-
-}  // namespace
-
 OneStepMethod::OneStepMethod(const MethodSpec& spec, int order, Dynamics& dynamics, const State& start)
-    : h_(spec.step.value_or(0)), dynamics_(dynamics), before_(start), now_(start) {
+    : steps_(spec.step.value_or(0)), dynamics_(dynamics), before_(start), now_(start) {
   if (!spec.step) control_.emplace(spec.rtol.value(), spec.atol.value(), dynamics.cable().length(), order);
 }
 
@@ -36,22 +28,16 @@ void OneStepMethod::keep(double t) {
 }
 
 StepResult OneStepMethod::fixed_step(double stop) {
-  double next = h_ * static_cast<double>(taken_ + 1);
-  // Always the same h but for the step that is cut: differences of times differ in their last bits, and
-  // methods keep what they have factored for h.
-  double h = h_;
-  if (next > stop - sliver * h_) {
-    if (std::abs(next - stop) > sliver * h_) h = stop - now_.t;
-    next = stop;
-  }
-  StepResult result = advance(h, now_, before_);
+  const FixedSteps::Step next = steps_.next(now_.t, stop);
+  StepResult result = advance(next.h, now_, before_);
   if (!result.ok()) return result;
-  keep(next);
-  ++taken_;
+  keep(next.end);
+  steps_.take();
   return result;
 }
 
 StepResult OneStepMethod::controlled_step(double stop) {
+  constexpr double sliver = 1e-9;           // of a step, left by round-off and not taken
   constexpr double shortest_share = 1e-13;  // of the time to stop at; below it, time would stand still
   if (h_ == 0) {
     dynamics_.acceleration(now_.q, error_);
@@ -77,7 +63,6 @@ StepResult OneStepMethod::controlled_step(double stop) {
           h_ = wished;
         }
         keep(ends ? stop : now_.t + h);
-        ++taken_;
         return result;
       }
       h_ = wished;

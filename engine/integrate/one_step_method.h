@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/method.h"
 #include "engine/integrate/step_control.h"
 
@@ -43,9 +44,9 @@ class OneStepMethod : public Method {
   StepResult controlled_step(double stop);
   void keep(double t);
 
-  double h_;
-  std::optional<StepControl> control_;
-  long taken_ = 0;
+  FixedSteps steps_;
+  std::optional<StepControl> control_;  // with tolerances
+  double h_ = 0;                        // the controlled step, s; 0: not chosen yet
   long rejected_ = 0;
   Dynamics& dynamics_;
   State before_;

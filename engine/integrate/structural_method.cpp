@@ -49,11 +49,14 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   };
   const long before = dynamics().counters.newton_iterations;
   guess(coasting_);
+  next_coasting_ = coasting_;
   if (StepResult result = stage_.solve(equation, next_a_); !result.ok()) {
     guess(!coasting_);
     if (!stage_.solve(equation, next_a_).ok()) return result;
+    next_coasting_ = !coasting_;
+  } else if (dynamics().counters.newton_iterations - before > many) {
+    next_coasting_ = !coasting_;
   }
-  if (dynamics().counters.newton_iterations - before > many) coasting_ = !coasting_;
   to.q = from.q + h * from.v + (h2 * s.position_new) * next_a_;
   to.v = from.v + (h * s.velocity_new) * next_a_;
   if (s.position_old != 0) to.q += (h2 * s.position_old) * a_;
@@ -73,6 +76,7 @@ void StructuralMethod::estimate_error(double h, const State&, const State&, Eige
 }
 
 void StructuralMethod::accept() {
+  coasting_ = next_coasting_;
   std::swap(a_, next_a_);
   std::swap(old_force_, force_);
   last_h_ = h_;

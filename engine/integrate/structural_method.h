@@ -5,10 +5,13 @@
 
 namespace plumb {
 
-/// A step of Newmark's kind with one implicit stage for an acceleration x:
-///   q₁ = q₀ + h v₀ + h² (position_old a₀ + position_new x),   v₁ = v₀ + h (velocity_old a₀ + velocity_new
-///   x), M (mass_new x + mass_old a₀) = force_new f(point q₁ + (1 − point) q₀) + force_old f(q₀),
-/// where a₀ is the x of the step before, or the true acceleration at the start.
+/// A step of Newmark's kind (Newmark 1959; Chung and Hulbert 1993) with one implicit stage for an
+/// acceleration x:
+///   q₁ = q₀ + h v₀ + h² (position_old a₀ + position_new x),
+///   v₁ = v₀ + h (velocity_old a₀ + velocity_new x),
+///   M (mass_new x + mass_old a₀) = force_new f(point q₁ + (1 − point) q₀) + force_old f(q₀),
+/// where a₀ is the x of the step before, or the true acceleration at the start. All are pure numbers;
+/// position_new, mass_new, force_new and point are > 0.
 struct StructuralScheme {
   double position_old, position_new;
   double velocity_old, velocity_new;
@@ -21,6 +24,15 @@ struct StructuralScheme {
   /// h² x for order 1.
   double error = 0;
 };
+
+/// Newmark's scheme (1959) with the parameters β and γ, of order 2:
+///   q₁ = q₀ + h v₀ + h² ((½ − β) a₀ + β x),   v₁ = v₀ + h ((1 − γ) a₀ + γ x),   M x = f(q₁).
+constexpr StructuralScheme newmark(double beta, double gamma) {
+  StructuralScheme scheme{
+      .position_old = 0.5 - beta, .position_new = beta, .velocity_old = 1 - gamma, .velocity_new = gamma};
+  scheme.error = beta - 1.0 / 6;
+  return scheme;
+}
 
 /// The one-step method of a StructuralScheme.
 class StructuralMethod : public OneStepMethod {
@@ -35,10 +47,10 @@ class StructuralMethod : public OneStepMethod {
 
   StructuralScheme scheme_;
   ImplicitStage stage_;
-  Eigen::VectorXd a_, next_a_;         // x of the last step and of this one
-  Eigen::VectorXd old_force_, force_;  // f(q₀) and f(q₁), where the scheme needs them
-  bool coasting_ = true;               // which guess comes first
-  double h_ = 0, last_h_ = 0;          // of this step and the last, s; 0: none
+  Eigen::VectorXd a_, next_a_;                   // x of the last step and of this one
+  Eigen::VectorXd old_force_, force_;            // f(q₀) and f(q₁), where the scheme needs them
+  bool coasting_ = true, next_coasting_ = true;  // which guess comes first
+  double h_ = 0, last_h_ = 0;                    // of this step and the last, s; 0: none
   Eigen::VectorXd base_, known_;
 };
 

@@ -6,11 +6,7 @@ namespace {
 /// The trapezoidal rule: Newmark's method (1959) with β = ¼ and γ = ½,
 ///   M aₙ₊₁ = f(qₙ₊₁),  qₙ₊₁ = qₙ + h vₙ + ¼h² (aₙ + aₙ₊₁),  vₙ₊₁ = vₙ + ½h (aₙ + aₙ₊₁).
 /// It keeps the energy of every linear oscillation, and of no nonlinear one.
-constexpr StructuralScheme scheme{.position_old = 0.25,
-                                  .position_new = 0.25,
-                                  .velocity_old = 0.5,
-                                  .velocity_new = 0.5,
-                                  .error = 0.25 - 1.0 / 6};
+constexpr StructuralScheme scheme = newmark(0.25, 0.5);
 
 }  // namespace
 
