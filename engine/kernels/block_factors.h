@@ -50,12 +50,13 @@ struct Panel {
   double* next;
 };
 
-/// Eliminates a node whose panel has been loaded. A pivot that is not positive against the diagonal it
-/// started from, or not a number, ends in false.
+/// Eliminates a node whose panel has been loaded. A pivot that is not positive against the diagonal that the
+/// elimination of the nodes before has left, or not a number, ends in false.
 PLUMB_INLINE bool eliminate(Twelve (&column)[6], const Panel& panel) {
   // A smaller pivot is round-off of a zero.
   constexpr double singular_ratio = 1e-14;
-  // The neighbour's block in the rows 6 to 11; what lies in front of it is loaded along and never stored.
+  // The neighbour's block in the rows 6 to 11. Rows above its diagonal that lie in the same vectors are
+  // carried along; they are read by nobody.
   Lanes next_b[2], next_c[6];
   for (int j = 0; j < 6; ++j) next_c[j] = load_lanes(panel.next + block_rows * j + 2);
   for (int j = 0; j < 2; ++j) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/kernels/element_force.h"
+#include "engine/kernels/element_mass.h"
 #include "engine/kernels/element_tangent.h"
 
 // Four elements after the other along the chain. What two elements add to the node between them is summed
@@ -119,22 +120,6 @@ void chain_energy(const ElementConstants& element, int elements, const double* q
     *bending += o.second[lane];
   }
 }
-
-/// ∫ ρA sᵢsⱼ dx of the Hermite functions for the nodal vectors (r₀, g₀, r₁, g₁), exact; by symmetry g₁r₁ is
-/// −g₀r₀ and r₁g₀ is −g₁r₀.
-struct ElementMass {
-  double rr, rg, gg, r1r0, g1r0, g1g0;
-
-  PLUMB_INLINE explicit ElementMass(const ElementConstants& c) {
-    const double l = c.length, unit = c.mass_per_length * l / 420;
-    rr = 156 * unit;
-    rg = 22 * l * unit;
-    gg = 4 * l * l * unit;
-    r1r0 = 54 * unit;
-    g1r0 = -13 * l * unit;
-    g1g0 = -3 * l * l * unit;
-  }
-};
 
 /// Puts block + s I at rows `row` … and columns `column` … of a 6 by 6 block held by columns.
 PLUMB_INLINE void put(Lanes* to, int row, int column, const Block3& block, double s) {

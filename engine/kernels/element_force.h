@@ -46,10 +46,7 @@ PLUMB_INLINE Forces element_force(const ElementConstants& c, const Nodes& nodes)
     t.add_pair(bending.xi[i], plus.tau(), minus.tau());
   }
 
-  // Σ k n, Σ 2ξ k n and Σ ξ² k n: the derivatives of ½ k n·n by A, B and C.
-  const Lanes3 a = k.m0 * s.A + (2 * k.m1) * s.B + k.m2 * s.C;
-  const Lanes3 b = 2 * (k.m1 * s.A + (2 * k.m2) * s.B + k.m3 * s.C);
-  const Lanes3 m = k.m2 * s.A + (2 * k.m3) * s.B + k.m4 * s.C;
+  const auto [a, b, m] = normal_moments(s, k);
   const Lanes3 de = t.m0 * s.e + t.m1 * s.o + t.m2 * s.u + cross(s.o, a) + cross(s.u, b);
   const Lanes3 dd = t.m1 * s.e + t.m2 * s.o + t.m3 * s.u + cross(a, s.e) + cross(s.u, m);
   const Lanes3 du = t.m2 * s.e + t.m3 * s.o + t.m4 * s.u + cross(b, s.e) + cross(m, s.o);

@@ -192,9 +192,7 @@ PLUMB_INLINE Tangents element_tangent(const ElementConstants& c, const Nodes& no
     Y3 = (xi * xi) * Y1;
   }
 
-  const Lanes3 a = k.m0 * s.A + (2 * k.m1) * s.B + k.m2 * s.C;
-  const Lanes3 b = 2 * (k.m1 * s.A + (2 * k.m2) * s.B + k.m3 * s.C);
-  const Lanes3 m = k.m2 * s.A + (2 * k.m3) * s.B + k.m4 * s.C;
+  const auto [a, b, m] = normal_moments(s, k);
 
   // −hⱼ hᵢᵀ summed, from products of the coefficient vectors.
   const Lanes3 o0 = k.m0 * o + (2 * k.m1) * u, o1 = (2 * k.m1) * o + (4 * k.m2) * u;

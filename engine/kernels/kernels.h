@@ -4,6 +4,11 @@
 
 namespace plumb {
 
+/// |r'| below which a slope counts as collapsed (1: unstretched). The curvature is singular at r' = 0, and a
+/// cable squeezed to a thousandth of its length is no cable; forces there are not evaluated, so nothing is
+/// divided by it.
+inline constexpr double slope_floor = 1e-3;
+
 /// What the elements of a chain have in common.
 struct ElementConstants {
   double axial_stiffness = 0;     ///< EA, N, ≥ 0
@@ -39,8 +44,8 @@ inline constexpr int block_column_size = 72;
 
 /// The loops that a run spends its time in, written for vector units and built twice: for any x86-64 and,
 /// where the processor has AVX2, for x86-64-v3. Both do the same operations in the same order without fused
-/// multiply-add, so their results are the same to the last bit. All arrays hold 6 numbers a node, r (m) and
-/// r' (1), or their rates or forces.
+/// multiply-add, so their results are the same to the last bit. `elements` is ≥ 1 and `nodes` ≥ 2. All arrays
+/// hold 6 numbers a node, r (m) and r' (1), or their rates or forces.
 struct Kernels {
   std::string_view instruction_set;  ///< "plain", "x86-64-v3"
 
@@ -52,8 +57,8 @@ struct Kernels {
   void (*energy)(const ElementConstants& element, int elements, const double* q, double* axial,
                  double* bending);
 
-  /// The block columns of mass_factor · M + stiffness_factor · ∂²U/∂q², one a node. The rows above the
-  /// diagonal of the diagonal blocks are not set.
+  /// The block columns of mass_factor · M + stiffness_factor · ∂²U/∂q², one a node; a pure number and one in
+  /// s². The rows above the diagonal of the diagonal blocks are not set.
   void (*system)(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
                  const double* q, double* block_columns);
 

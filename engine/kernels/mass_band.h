@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/kernels/element_mass.h"
 #include "engine/kernels/kernels.h"
 #include "engine/kernels/lanes.h"
 
@@ -99,20 +100,18 @@ void mass_solve(int nodes, const MassFactors& factors, double* x) {
 /// Visits M v node by node: `take(node, v of the node, M v of the node)`.
 template <class Take>
 PLUMB_INLINE void for_each_momentum(const ElementConstants& c, int elements, const double* v, Take take) {
-  const double l = c.length, unit = c.mass_per_length * l / 420;
-  const double rr = 156 * unit, rg = 22 * l * unit, gg = 4 * l * l * unit;
-  const double across_rr = 54 * unit, across_rg = 13 * l * unit, across_gg = 3 * l * l * unit;
+  const ElementMass m(c);
   NodeVectors before{}, own = load_node(v);
   for (int node = 0; node <= elements; ++node) {
     NodeVectors p{}, after{};
     if (node > 0) {
-      p.r = across_rr * before.r + across_rg * before.g + rr * own.r - rg * own.g;
-      p.g = gg * own.g - rg * own.r - across_rg * before.r - across_gg * before.g;
+      p.r = m.r1r0 * before.r - m.g1r0 * before.g + m.rr * own.r - m.rg * own.g;
+      p.g = m.gg * own.g - m.rg * own.r + m.g1r0 * before.r + m.g1g0 * before.g;
     }
     if (node < elements) {
       after = load_node(v + 6 * (node + 1));
-      p.r += rr * own.r + rg * own.g + across_rr * after.r - across_rg * after.g;
-      p.g += rg * own.r + gg * own.g + across_rg * after.r - across_gg * after.g;
+      p.r += m.rr * own.r + m.rg * own.g + m.r1r0 * after.r + m.g1r0 * after.g;
+      p.g += m.rg * own.r + m.gg * own.g - m.g1r0 * after.r + m.g1g0 * after.g;
     }
     take(node, own, p);
     before = own;

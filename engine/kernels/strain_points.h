@@ -13,8 +13,8 @@
 namespace plumb::kernels {
 namespace {
 
-/// Below this r'·r' counts as collapsed; slope_floor² of element.h.
-inline constexpr double slope_squared_floor = 1e-6;
+/// Below this r'·r' counts as collapsed.
+inline constexpr double slope_squared_floor = slope_floor * slope_floor;
 
 /// Integration points with ξ ≥ 0; each but 0 stands for ±ξ. Weights of a rule add up to 1 on [0, 1].
 struct Rule {
@@ -138,6 +138,15 @@ struct NormalPair {
     minus = even - odd;
   }
 };
+
+/// Σ k n, Σ 2ξ k n and Σ ξ² k n: the derivatives of Σ ½ k n·n by A, B and C.
+struct NormalMoments {
+  Lanes3 a, b, c;
+};
+PLUMB_INLINE NormalMoments normal_moments(const Shape& s, const Moments& k) {
+  return {k.m0 * s.A + (2 * k.m1) * s.B + k.m2 * s.C, 2 * (k.m1 * s.A + (2 * k.m2) * s.B + k.m3 * s.C),
+          k.m2 * s.A + (2 * k.m3) * s.B + k.m4 * s.C};
+}
 
 }  // namespace
 }  // namespace plumb::kernels

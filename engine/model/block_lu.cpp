@@ -28,12 +28,6 @@ GeneralBlockTridiagonal<Scalar>::GeneralBlockTridiagonal(const BlockTridiagonal&
 }
 
 template <class Scalar>
-void GeneralBlockTridiagonal<Scalar>::set_zero() {
-  for (auto* blocks : {&diagonal, &below, &above})
-    for (Block& block : *blocks) block.setZero();
-}
-
-template <class Scalar>
 void GeneralBlockTridiagonal<Scalar>::set_sum(const BlockTridiagonal& A, Scalar factor,
                                               const BlockTridiagonal& B) {
   for (int i = 0; i < nodes(); ++i) {

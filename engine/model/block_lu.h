@@ -13,14 +13,14 @@ template <class Scalar>
 struct GeneralBlockTridiagonal {
   using Block = Eigen::Matrix<Scalar, 6, 6>;
 
+  /// All zeros.
   explicit GeneralBlockTridiagonal(int nodes)
-      : diagonal(static_cast<std::size_t>(nodes)),
-        below(static_cast<std::size_t>(nodes - 1)),
-        above(static_cast<std::size_t>(nodes - 1)) {}
+      : diagonal(static_cast<std::size_t>(nodes), Block::Zero()),
+        below(static_cast<std::size_t>(nodes - 1), Block::Zero()),
+        above(static_cast<std::size_t>(nodes - 1), Block::Zero()) {}
   explicit GeneralBlockTridiagonal(const BlockTridiagonal& symmetric);
 
   int nodes() const { return static_cast<int>(diagonal.size()); }
-  void set_zero();
   /// Becomes A + factor B; all have the same number of nodes.
   void set_sum(const BlockTridiagonal& A, Scalar factor, const BlockTridiagonal& B);
 

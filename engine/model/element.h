@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "engine/input/case.h"
+#include "engine/kernels/kernels.h"
 #include "engine/model/quadrature.h"
 
 namespace plumb {
-
-/// |r'| below which a slope counts as collapsed (1: unstretched). The curvature is singular at r' = 0, and a
-/// cable squeezed to a thousandth of its length is no cable; forces there are not evaluated, so nothing is
-/// divided by it.
-inline constexpr double slope_floor = 1e-3;
 
 inline double real_part(double x) {
   return x;

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "engine/kernels/element_mass.h"
+
 namespace plumb {
 namespace {
 
@@ -19,11 +21,10 @@ MassMatrix::MassMatrix(const ElementConstants& element, int elements, const Supp
 MassMatrix::Factors MassMatrix::factor(bool slopes_held) const {
   // Factors whose multipliers differ by less have settled: they follow from one another by a contraction.
   constexpr double settled = 1e-16;
-  const double l = element_.length, unit = element_.mass_per_length * l / 420;
-  // ∫ sᵢsⱼ of the Hermite functions, exact.
-  const Block first = unit * Block{{156, 22 * l}, {22 * l, 4 * l * l}};
-  const Block second = unit * Block{{156, -22 * l}, {-22 * l, 4 * l * l}};
-  const Block below = unit * Block{{54, 13 * l}, {-13 * l, -3 * l * l}};  // rows of the element's second node
+  const double l = element_.length;
+  const ElementMass m(element_);
+  const Block first{{m.rr, m.rg}, {m.rg, m.gg}}, second{{m.rr, -m.rg}, {-m.rg, m.gg}};
+  const Block below{{m.r1r0, -m.g1r0}, {m.g1r0, m.g1g0}};  // rows of the element's second node
   const SupportsSpec& ends = supports_.spec();
   const int nodes = elements_ + 1, middle = nodes / 2;
   const auto free = [&](int node) {

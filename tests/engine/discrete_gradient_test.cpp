@@ -79,7 +79,6 @@ TEST_P(DiscreteGradientOf, TangentIsTheDerivativeByTheNewState) {
   const DiscreteGradient gradient(with);
   const Eigen::VectorXd q0 = state(0.1), q1 = state(0.1);
   GeneralBlockTridiagonal<double> A(with.nodes());
-  A.set_zero();
   gradient.add_tangent(q0, q1, 1, A);
   constexpr double h = 1e-6;
   Eigen::VectorXd ahead, behind, expected, unit;
