@@ -13,7 +13,7 @@ Cable::Cable(const Case& spec)
       gravity_(spec.loads.gravity),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
-               spec.cable.strain, spec.cable.quadrature),
+               spec.cable.strain),
       constants_{element_.axial_stiffness(),
                  element_.bending_stiffness(),
                  element_.length(),

@@ -4,8 +4,8 @@
 #include <random>
 
 #include "engine/kernels/kernels.h"
-#include "engine/model/element.h"
 #include "engine/model/mass.h"
+#include "tests/engine/plain_element.h"
 
 namespace plumb {
 namespace {
@@ -40,7 +40,7 @@ void per_element(benchmark::State& state) {
 /// The straightforward force: one element after another with small Eigen vectors.
 void force_eigen(benchmark::State& state) {
   Chain chain(static_cast<int>(state.range(0)));
-  const Element element(EA, EI, chain.l, StrainModel::green_geometric, QuadratureRule::full);
+  const PlainElement element(EA, EI, chain.l, StrainModel::green_geometric, QuadratureRule::full);
   for (auto _ : state) {
     chain.f.setZero();
     for (int e = 0; e < chain.n; ++e) element.add_force(chain.q.data() + 6 * e, chain.f.data() + 6 * e);

@@ -1,5 +1,3 @@
-#include "engine/model/element.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <random>
 
 #include "engine/model/hermite.h"
+#include "tests/engine/plain_element.h"
 
 namespace plumb {
 namespace {
@@ -54,7 +53,7 @@ std::vector<Sample> samples() {
 
 class ElementOf : public testing::TestWithParam<std::tuple<StrainModel, QuadratureRule>> {
  protected:
-  Element element{EA, EI, l, std::get<0>(GetParam()), std::get<1>(GetParam())};
+  PlainElement element{EA, EI, l, std::get<0>(GetParam()), std::get<1>(GetParam())};
 
   double energy(const Coordinates& q) const {
     return element.axial_energy(q.data()) + element.bending_energy(q.data());
@@ -78,9 +77,9 @@ class ElementOf : public testing::TestWithParam<std::tuple<StrainModel, Quadratu
     return f;
   }
 
-  Element::Matrix12 tangent_by_complex_step(const Coordinates& q) const {
+  PlainElement::Matrix12 tangent_by_complex_step(const Coordinates& q) const {
     constexpr double h = 1e-30;
-    Element::Matrix12 K;
+    PlainElement::Matrix12 K;
     for (int i = 0; i < 12; ++i) {
       Eigen::Matrix<Complex, 12, 1> z = q.cast<Complex>(), f = Eigen::Matrix<Complex, 12, 1>::Zero();
       z[i] += Complex(0, h);
@@ -102,9 +101,9 @@ TEST_P(ElementOf, ForceIsTheGradientOfTheEnergy) {
 
 TEST_P(ElementOf, TangentIsTheDerivativeOfTheForceByComplexSteps) {
   for (const auto& [kind, q] : samples()) {
-    Element::Matrix12 K;
+    PlainElement::Matrix12 K;
     element.tangent(q.data(), K);
-    const Element::Matrix12 exact = tangent_by_complex_step(q);
+    const PlainElement::Matrix12 exact = tangent_by_complex_step(q);
     EXPECT_LE((K - exact).norm(), 1e-13 * exact.norm())
         << kind << ": K is off by " << (K - exact).norm() << " of " << exact.norm();
   }
@@ -112,7 +111,7 @@ TEST_P(ElementOf, TangentIsTheDerivativeOfTheForceByComplexSteps) {
 
 TEST_P(ElementOf, TangentIsTheDerivativeOfTheForceByCentralDifferences) {
   for (const auto& [kind, q] : samples()) {
-    Element::Matrix12 K, differences;
+    PlainElement::Matrix12 K, differences;
     element.tangent(q.data(), K);
     constexpr double h = 1e-6;
     for (int i = 0; i < 12; ++i)
@@ -124,7 +123,7 @@ TEST_P(ElementOf, TangentIsTheDerivativeOfTheForceByCentralDifferences) {
 
 TEST_P(ElementOf, TangentIsSymmetric) {
   for (const auto& [kind, q] : samples()) {
-    Element::Matrix12 K;
+    PlainElement::Matrix12 K;
     element.tangent(q.data(), K);
     EXPECT_LE((K - K.transpose()).norm(), 1e-14 * K.norm()) << kind;
   }
@@ -157,7 +156,7 @@ TEST_P(ElementOf, UniformStretchHasTheEnergyOfItsStrain) {
 TEST_P(ElementOf, CollapsedSlopeIsToldAndNeverDividedBy) {
   Coordinates q = Coordinates::Zero();  // both nodes at one point with slopes 0
   Coordinates f = Coordinates::Zero();
-  Element::Matrix12 K;
+  PlainElement::Matrix12 K;
   const double least = element.add_force(q.data(), f.data());
   element.tangent(q.data(), K);
   EXPECT_LE(least, slope_floor * slope_floor);
@@ -188,8 +187,8 @@ Coordinates arc(double angle) {
 
 TEST(Element, CurvatureModelsDifferByOnePowerOfTheStretch) {
   const Vec3 slope(1.2, 0, 0), bend(0.1, 0.5, 0);
-  const Element green(EA, EI, l, StrainModel::green_geometric, QuadratureRule::full);
-  const Element material(EA, EI, l, StrainModel::engineering_material, QuadratureRule::full);
+  const PlainElement green(EA, EI, l, StrainModel::green_geometric, QuadratureRule::full);
+  const PlainElement material(EA, EI, l, StrainModel::engineering_material, QuadratureRule::full);
   EXPECT_DOUBLE_EQ(green.curvature(slope, bend), 0.5 / (1.2 * 1.2));
   EXPECT_DOUBLE_EQ(material.curvature(slope, bend), 0.5 / 1.2);
 }
@@ -197,7 +196,7 @@ TEST(Element, CurvatureModelsDifferByOnePowerOfTheStretch) {
 // Hermite interpolation of an arc is shorter than the arc; the mean of the spurious strain is −θ⁴/720 to
 // leading order.
 TEST(Element, FullQuadratureSeesTheLockingStrainOfAnArc) {
-  const Element element(EA, 0, l, StrainModel::engineering_material, QuadratureRule::full);
+  const PlainElement element(EA, 0, l, StrainModel::engineering_material, QuadratureRule::full);
   for (const double angle : {0.25, 0.5}) {
     double mean = 0;
     const Coordinates q = arc(angle);
@@ -213,20 +212,20 @@ TEST(Element, FullQuadratureSeesTheLockingStrainOfAnArc) {
 
 TEST(Element, ReducedQuadratureLocksLessThanFull) {
   const Coordinates q = arc(1);
-  const Element full(EA, 0, l, StrainModel::green_geometric, QuadratureRule::full);
-  const Element reduced(EA, 0, l, StrainModel::green_geometric, QuadratureRule::reduced);
+  const PlainElement full(EA, 0, l, StrainModel::green_geometric, QuadratureRule::full);
+  const PlainElement reduced(EA, 0, l, StrainModel::green_geometric, QuadratureRule::reduced);
   EXPECT_LT(reduced.axial_energy(q.data()), 0.2 * full.axial_energy(q.data()))
       << reduced.axial_energy(q.data()) << " J against " << full.axial_energy(q.data()) << " J";
 }
 
 TEST(Element, ReducedQuadratureHasNoMotionWithoutEnergyButTheRigidOnes) {
   for (const QuadratureRule rule : {QuadratureRule::full, QuadratureRule::reduced}) {
-    const Element element(EA, EI, l, StrainModel::green_geometric, rule);
+    const PlainElement element(EA, EI, l, StrainModel::green_geometric, rule);
     Coordinates q;
     q << 0, 0, 0, 1, 0, 0, l, 0, 0, 1, 0, 0;
-    Element::Matrix12 K;
+    PlainElement::Matrix12 K;
     element.tangent(q.data(), K);
-    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Element::Matrix12>(K).eigenvalues();
+    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<PlainElement::Matrix12>(K).eigenvalues();
     // Three translations and two rotations; the rotation about its own axis moves no coordinate of a straight
     // cable.
     const auto zeros = (values.array().abs() < 1e-9 * values.maxCoeff()).count();

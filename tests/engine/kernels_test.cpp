@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "engine/model/element.h"
 #include "engine/model/hermite.h"
+#include "tests/engine/plain_element.h"
 
 namespace plumb {
 namespace {
@@ -47,7 +47,7 @@ using Model = std::tuple<StrainModel, QuadratureRule>;
 
 class KernelsOf : public testing::TestWithParam<Model> {
  protected:
-  Element element(int elements) const {
+  PlainElement element(int elements) const {
     return {EA, EI, cable_length / elements, std::get<0>(GetParam()), std::get<1>(GetParam())};
   }
   ElementConstants constants(int elements) const {
@@ -69,7 +69,7 @@ TEST_P(KernelsOf, ForceIsThatOfTheElementsOneByOne) {
     for (const double spread : {0.0, 1e-6, 0.1, 0.4}) {
       const Eigen::VectorXd q = chain(n, spread, 11);
       Eigen::VectorXd expected = weight(n), f(q.size());
-      const Element one = element(n);
+      const PlainElement one = element(n);
       for (int e = 0; e < n; ++e) one.add_force(q.data() + 6 * e, expected.data() + 6 * e);
       EXPECT_EQ(best_kernels().force(constants(n), n, q.data(), f.data()), -1);
       EXPECT_LE((f - expected).lpNorm<Eigen::Infinity>(), 2e-13 * (EA + expected.lpNorm<Eigen::Infinity>()))
@@ -78,10 +78,10 @@ TEST_P(KernelsOf, ForceIsThatOfTheElementsOneByOne) {
 }
 
 /// mass_factor M + stiffness_factor K, assembled from single elements.
-Eigen::MatrixXd assembled(const Element& one, int n, const Eigen::VectorXd& q, double mass_factor,
+Eigen::MatrixXd assembled(const PlainElement& one, int n, const Eigen::VectorXd& q, double mass_factor,
                           double stiffness_factor) {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(q.size(), q.size());
-  Element::Matrix12 k;
+  PlainElement::Matrix12 k;
   for (int e = 0; e < n; ++e) {
     one.tangent(q.data() + 6 * e, k);
     sum.block<12, 12>(6 * e, 6 * e) += stiffness_factor * k;
@@ -160,7 +160,7 @@ TEST_P(KernelsOf, EnergyIsThatOfTheElementsOneByOne) {
     for (const double spread : {0.0, 0.1, 0.4}) {
       const Eigen::VectorXd q = chain(n, spread, 13);
       double axial = -1, bending = -1, expected_axial = 0, expected_bending = 0;
-      const Element one = element(n);
+      const PlainElement one = element(n);
       for (int e = 0; e < n; ++e) {
         expected_axial += one.axial_energy(q.data() + 6 * e);
         expected_bending += one.bending_energy(q.data() + 6 * e);
