@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/input/case.h"
+
 namespace plumb {
 
 /// A key of [method] that belongs to one method.
@@ -48,6 +50,9 @@ struct MethodInfo {
 
 /// rtol where the case gives none.
 inline constexpr double default_rtol = 1e-8;
+
+/// The method with all its own parameters at their defaults, without step or tolerances.
+MethodSpec plain_method(const MethodInfo& info);
 
 /// Every method there is, in the order they are to be shown.
 std::span<const MethodInfo> method_infos();

@@ -74,6 +74,14 @@ std::string_view word(MethodFamily family) {
   return "";
 }
 
+MethodSpec plain_method(const MethodInfo& info) {
+  MethodSpec spec;
+  spec.name = info.name;
+  for (const MethodParameter& parameter : info.parameters)
+    spec.parameters[parameter.name] = parameter.fallback;
+  return spec;
+}
+
 const MethodInfo* find_method(std::string_view name) {
   for (const MethodInfo& info : method_infos())
     if (info.name == name) return &info;

@@ -153,8 +153,7 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
 
 std::string encode_run(const Run& run) {
   hdf5::Writer file;
-  file.text("format", format_name);
-  file.integer("format_version", run_file_version);
+  write_format(format_name, run_file_version, file);
   write_source(run.loaded.source, file);
   write_trajectory(run.trajectory, file);
   for (const Column& column : run.probes.columns)
@@ -167,10 +166,7 @@ Run read_run(const std::string& path) {
   try {
     const std::string bytes = read_checked(path, "run file");
     const hdf5::Reader file(bytes);
-    if (file.text("format") != format_name) throw std::runtime_error("it is no run file of Plumb");
-    if (const long version = file.integer("format_version"); version < 1 || version > run_file_version)
-      throw std::runtime_error(
-          fmt::format("its format version is {}, this program reads up to {}", version, run_file_version));
+    read_format(file, format_name, run_file_version, "run file");
     Run run;
     run.trajectory = read_trajectory(file);
     run.provenance = read_provenance(file);

@@ -1,5 +1,7 @@
 #include "engine/output/stored_parts.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -24,6 +26,18 @@ Outcome stored_outcome(const std::string& name) {
   for (const Outcome outcome : outcomes())
     if (word(outcome) == name) return outcome;
   throw std::runtime_error("the outcome '" + name + "' is unknown");
+}
+
+void write_format(std::string_view name, long version, hdf5::Writer& file) {
+  file.text("format", name);
+  file.integer("format_version", version);
+}
+
+void read_format(const hdf5::Reader& file, std::string_view name, long version, std::string_view kind) {
+  if (file.text("format") != name) throw std::runtime_error(fmt::format("it is no {} of Plumb", kind));
+  if (const long stored = file.integer("format_version"); stored < 1 || stored > version)
+    throw std::runtime_error(
+        fmt::format("its format version is {}, this program reads up to {}", stored, version));
 }
 
 void write_source(const CaseSource& source, hdf5::Writer& file) {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "engine/input/case_source.h"
@@ -17,6 +18,11 @@ std::span<const std::pair<const char*, long Counters::*>> stored_counters();
 
 /// The outcome of that word. Throws std::runtime_error for another one.
 Outcome stored_outcome(const std::string& name);
+
+/// The name and version of a file's layout: "plumb-run", 1. `read_format` throws std::runtime_error for
+/// another `kind` of file ("run file") and for a version beyond what this program reads.
+void write_format(std::string_view name, long version, hdf5::Writer& file);
+void read_format(const hdf5::Reader& file, std::string_view name, long version, std::string_view kind);
 
 void write_source(const CaseSource& source, hdf5::Writer& file);
 CaseSource read_source(const hdf5::Reader& file);

@@ -27,8 +27,8 @@ double value(const ErrorNorms& norms, ErrorNorm norm);
 
 /// The distance of a run to a reference over the same outputs; they may have different meshes of one cable.
 /// Points of equal arc length are compared, and the arc length is integrated by Gauss's rule between any two
-/// nodes of either mesh, which is exact. All are -1 where the run did not reach every output of the
-/// reference.
+/// nodes of either mesh, which is exact. All distances are -1 where the run did not reach every output
+/// of the reference.
 ErrorNorms error_norms(const Trajectory& run, const Trajectory& reference);
 
 }  // namespace plumb

@@ -237,7 +237,8 @@ class Study {
     std::size_t done = 0;
     for (StudyRun& run : study.runs) {
       if (run.seconds.empty()) run.seconds = journal_.find_seconds(run);
-      if (run.seconds.empty()) {
+      // What was out of time once would be so again.
+      if (run.seconds.empty() && run.outcome != Outcome::out_of_time) {
         Case spec = on_mesh(run.elements);
         spec.method = run.method;
         std::vector<double> seconds;

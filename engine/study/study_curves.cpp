@@ -89,10 +89,7 @@ std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyEx
   for (const std::string& name : extent.methods) {
     const MethodInfo* method = find_method(name);
     if (method == nullptr) continue;
-    MethodSpec plain;
-    plain.name = name;
-    for (const MethodParameter& parameter : method->parameters)
-      plain.parameters[parameter.name] = parameter.fallback;
+    const MethodSpec plain = plain_method(*method);
     bool varied = false;
     for (const Variants& variants : all_variants()) {
       const MethodParameter* parameter = find_parameter(*method, variants.parameter);

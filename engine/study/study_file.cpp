@@ -306,8 +306,7 @@ std::optional<MeshConvergence> read_mesh(const hdf5::Reader& file) {
 std::string encode_study(const Study& study) {
   const WorkPrecision& result = study.result;
   hdf5::Writer file;
-  file.text("format", format_name);
-  file.integer("format_version", study_file_version);
+  write_format(format_name, study_file_version, file);
   write_source(study.loaded.source, file);
   write_provenance(result.provenance, file);
   file.integer("quick", result.quick ? 1 : 0);
@@ -326,10 +325,7 @@ Study read_study(const std::string& path) {
   try {
     const std::string bytes = read_checked(path, "study file");
     const hdf5::Reader file(bytes);
-    if (file.text("format") != format_name) throw std::runtime_error("it is no study file of Plumb");
-    if (const long version = file.integer("format_version"); version < 1 || version > study_file_version)
-      throw std::runtime_error(
-          fmt::format("its format version is {}, this program reads up to {}", version, study_file_version));
+    read_format(file, format_name, study_file_version, "study file");
     Study study;
     WorkPrecision& result = study.result;
     study.loaded = load_case(read_source(file));

@@ -7,23 +7,16 @@
 #include <cmath>
 
 #include "engine/integrate/integrate.h"
+#include "engine/study/error_norms.h"
 
 namespace plumb {
 namespace {
-
-MethodSpec with_defaults(const std::string& name) {
-  MethodSpec spec;
-  spec.name = name;
-  for (const MethodParameter& parameter : find_method(name)->parameters)
-    spec.parameters[parameter.name] = parameter.fallback;
-  return spec;
-}
 
 /// ARKODE's pair of order 5 where that is enough: the error estimate of its pair of order 8 breaks down at
 /// the edge of stability, to which a loose tolerance leads on a fine mesh.
 MethodSpec embedded_pair(double tolerance) {
   constexpr double loose = 1e-10;
-  MethodSpec spec = with_defaults("arkode-erk");
+  MethodSpec spec = plain_method(*find_method("arkode-erk"));
   spec.parameters["order"] = tolerance > loose ? 5 : 8;
   spec.rtol = spec.atol = tolerance;
   return spec;
@@ -31,7 +24,7 @@ MethodSpec embedded_pair(double tolerance) {
 
 /// Of another family of formulas, and no code in common with the first but the forces.
 MethodSpec nystrom(double step) {
-  MethodSpec spec = with_defaults("runge-kutta-nystrom");
+  MethodSpec spec = plain_method(*find_method("runge-kutta-nystrom"));
   spec.step = step;
   return spec;
 }
@@ -48,12 +41,10 @@ Trajectory run(const Case& spec, const MethodSpec& method, double time_limit) {
   return integrate(with, {}, time_limit);
 }
 
+/// -1 where either is not whole.
 double tip_distance(const Trajectory& a, const Trajectory& b) {
-  if (a.outcome != Outcome::completed || b.outcome != Outcome::completed || a.times != b.times) return -1;
-  double worst = 0;
-  for (std::size_t k = 0; k < a.q.size(); ++k)
-    worst = std::max(worst, (a.q[k].tail<6>().head<3>() - b.q[k].tail<6>().head<3>()).norm());
-  return worst;
+  const bool whole = a.outcome == Outcome::completed && b.outcome == Outcome::completed;
+  return whole ? error_norms(a, b).tip_max : -1;
 }
 
 StudyReference reference_of(const Trajectory& trajectory, const MethodSpec& first, const MethodSpec& second,
