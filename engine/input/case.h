@@ -8,9 +8,20 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/input/laboratory_specs.h"
+
 namespace plumb {
 
 using Vec3 = Eigen::Vector3d;
+
+/// What a cable is modelled as.
+enum class CableModel {
+  /// Elements with positions and slopes: stretches and bends.
+  cable,
+  /// Half of each link's mass at either end, straight links between that stretch only, ε = ½(λ² − 1) or λ − 1
+  /// with λ the ratio of lengths. Slopes are no unknowns; those of outputs follow the neighbouring nodes.
+  chain,
+};
 
 /// How strain and curvature are measured.
 enum class StrainModel {
@@ -53,6 +64,7 @@ struct CableSpec {
   double youngs_modulus = 0;  ///< E, Pa, > 0
   double second_moment = 0;   ///< I, m⁴, ≥ 0; of a circular section, A²/4π, unless given
   int elements = 0;           ///< 1 to 1,000,000, of equal length
+  CableModel model = CableModel::cable;
   StrainModel strain = StrainModel::green_geometric;
   QuadratureRule quadrature = QuadratureRule::full;
 
@@ -64,6 +76,9 @@ struct StartSpec {
   Vec3 direction{1, 0, 0};         ///< of the straight cable; a unit vector once read
   Vec3 angular_velocity{0, 0, 0};  ///< ω about the first end, rad/s
   SlopeRates slope_rates = SlopeRates::rigid;
+  /// Of the last end along the cable, m/s, beside the rotation; along the rest as the first axial vibration
+  /// of a cable held at its first end has it, sin(πs/2).
+  double axial_speed = 0;
 
   friend bool operator==(const StartSpec&, const StartSpec&) = default;
 };
@@ -76,7 +91,8 @@ struct SupportsSpec {
 };
 
 struct LoadsSpec {
-  Vec3 gravity{0, 0, 0};  ///< m/s²
+  Vec3 gravity{0, 0, 0};    ///< m/s²
+  Vec3 end_force{0, 0, 0};  ///< on the last end, in a fixed direction, N
 
   friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
 };
@@ -208,6 +224,9 @@ struct Case {
   std::vector<FigureSpec> figures;
   SceneSpec scene;
   std::optional<WorkPrecisionSpec> work_precision;
+  std::optional<StabilitySpec> stability;
+  std::vector<VariantSpec> variants;
+  std::optional<SweepSpec> sweep;
 
   friend bool operator==(const Case&, const Case&) = default;
 };
@@ -216,6 +235,7 @@ struct Case {
 WorkPrecisionSpec work_precision_of(const Case& spec);
 
 /// The words that case files use: "green-geometric", "full", "pinned", "rigid", "position", "max".
+std::string_view word(CableModel);
 std::string_view word(StrainModel);
 std::string_view word(QuadratureRule);
 std::string_view word(Support);

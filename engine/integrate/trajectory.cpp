@@ -7,9 +7,9 @@
 namespace plumb {
 
 std::span<const Outcome> outcomes() {
-  static constexpr std::array all{Outcome::not_run,    Outcome::completed,      Outcome::unstable,
-                                  Outcome::diverged,   Outcome::no_convergence, Outcome::singular,
-                                  Outcome::out_of_time};
+  static constexpr std::array all{Outcome::not_run,        Outcome::completed, Outcome::accurate,
+                                  Outcome::inaccurate,     Outcome::unstable,  Outcome::diverged,
+                                  Outcome::no_convergence, Outcome::singular,  Outcome::out_of_time};
   return all;
 }
 
@@ -19,6 +19,10 @@ std::string_view word(Outcome outcome) {
       return "not-run";
     case Outcome::completed:
       return "completed";
+    case Outcome::accurate:
+      return "accurate";
+    case Outcome::inaccurate:
+      return "inaccurate";
     case Outcome::unstable:
       return "unstable";
     case Outcome::diverged:

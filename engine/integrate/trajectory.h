@@ -11,7 +11,9 @@ namespace plumb {
 /// How an integration ended.
 enum class Outcome {
   not_run,
-  completed,
+  completed,       ///< to its end, and not held against anything
+  accurate,        ///< completed, and within the tolerance of its reference
+  inaccurate,      ///< completed with its energy bounded, and beyond that tolerance
   unstable,        ///< the energy grew beyond the stated bound
   diverged,        ///< the state is not finite
   no_convergence,  ///< Newton's iteration or the library's solver gave up
@@ -22,7 +24,8 @@ enum class Outcome {
 /// Every outcome, in the order above.
 std::span<const Outcome> outcomes();
 
-/// "not-run", "completed", "unstable", "diverged", "no-convergence", "singular", "out-of-time".
+/// "not-run", "completed", "accurate", "inaccurate", "unstable", "diverged", "no-convergence", "singular",
+/// "out-of-time".
 std::string_view word(Outcome);
 
 /// What an integration cost. -1: not counted, or not run.

@@ -22,8 +22,12 @@ namespace fs = std::filesystem;
 }
 
 bool may_replace(const fs::path& path) {
-  return !fs::exists(path) || (fs::is_directory(path) && (fs::is_empty(path) || fs::exists(path / "run.h5") ||
-                                                          fs::exists(path / "study.h5")));
+  if (!fs::exists(path)) return true;
+  if (!fs::is_directory(path)) return false;
+  if (fs::is_empty(path)) return true;
+  for (const char* name : {"run.h5", "study.h5", "study.json"})
+    if (fs::exists(path / name)) return true;
+  return false;
 }
 
 /// Whether a folder lies on another file system than its parent, so that nothing can be renamed to it.
@@ -50,7 +54,8 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
     if (fs::is_symlink(target)) fail(path_, "it is a link to nothing");
     if (!may_replace(target))
       fail(path_,
-           "it exists and is no output folder (it has no run.h5 and no study.h5), so it is left alone");
+           "it exists and is no output folder (it has no run.h5, study.h5 or study.json), so it is left "
+           "alone");
     fs::create_directories(target.parent_path());
     if (is_mount_point(target))
       fail(path_, "it is a mount point and cannot be replaced; name a folder in it");

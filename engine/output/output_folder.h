@@ -9,9 +9,9 @@ namespace plumb {
 /// one or none.
 class OutputFolder {
  public:
-  /// Throws OutputError if `path` exists and is neither empty nor an output folder (one with a run.h5 or a
-  /// study.h5): it is not ours to replace; if it is a mount point; or if the temporary folder cannot be made.
-  /// Links are followed.
+  /// Throws OutputError if `path` exists and is neither empty nor an output folder (one with a run.h5, a
+  /// study.h5 or a study.json): it is not ours to replace; if it is a mount point; or if the temporary folder
+  /// cannot be made. Links are followed.
   explicit OutputFolder(std::string path);
 
   /// Removes the temporary folder unless it was committed.

@@ -19,6 +19,7 @@ enum class ExitStatus {
 /// What the command line said, for all verbs.
 struct Options {
   std::string input;                   ///< case file or run
+  std::string kind;                    ///< of study; empty: not given
   std::vector<std::string> overrides;  ///< of --set
   std::string output;                  ///< of -o; empty: not given
   std::string csv;                     ///< of --csv; empty: not given

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include "engine/input/nearest.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 
 namespace plumb {
@@ -39,9 +41,16 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   command->footer(exit_statuses);
   if (!verb.input.empty())
     command
-        ->add_option(verb.input, options.input,
-                     verb.input == "CASE" ? "case file (TOML)" : "run.h5 or study.h5, or its folder")
+        ->add_option(
+            verb.input, options.input,
+            verb.input == "CASE" ? "case file (TOML)" : "run.h5, study.h5 or study.json, or its folder")
         ->required()
+        ->type_name("");
+  if (verb.takes_kind)
+    command
+        ->add_option("KIND", options.kind,
+                     fmt::format("what to vary: {}; default: the first that the case has a table for",
+                                 fmt::join(study_kind_names(), ", ")))
         ->type_name("");
   if (verb.takes_overrides)
     command
@@ -54,7 +63,7 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
     command
         ->add_option("-o,--output", options.output,
                      verb.input == "CASE"
-                         ? "output folder; default: output/ and the name of the case file (and _study)"
+                         ? "output folder; default: output/ and the name of the case file (and of the study)"
                          : "output folder; default: that of the run")
         ->type_name("DIR");
   if (verb.takes_csv)

@@ -1,3 +1,4 @@
+#include "report/program/study_kinds.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -11,6 +12,11 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
     const Study study = find_study(options.input);
     OutputFolder folder(output_path_of_run(options));
     return report_study(study, folder, stages, options, talk);
+  }
+  if (const auto json = study_json_at(options.input)) {
+    const StudyKind& kind = kind_of_study_json(*json);
+    OutputFolder folder(output_path_of_run(options));
+    return kind.report(json->text, folder, stages, options, talk);
   }
   const Run run = find_run(options.input);
   OutputFolder folder(output_path_of_run(options));

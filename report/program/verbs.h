@@ -16,6 +16,7 @@ struct Verb {
   bool takes_overrides = false;
   bool takes_output = false;
   bool takes_csv = false;
+  bool takes_kind = false;  ///< of study
   ExitStatus (*act)(const Options& options, Talk& talk) = nullptr;
 };
 

@@ -82,7 +82,7 @@ std::string output_path_of_run(const Options& options) {
   std::error_code ignored;
   const fs::path path = options.input;
   if (fs::is_directory(path, ignored)) return path.string();
-  if (path.filename() != run_file_name && path.filename() != "study.h5")
+  if (path.filename() != run_file_name && path.filename() != "study.h5" && path.filename() != "study.json")
     throw UsageError(options.input + " is not named run.h5: name the output folder with -o");
   return fs::absolute(path).parent_path().string();
 }

@@ -1,0 +1,65 @@
+#include "report/program/study_kinds.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/errors.h"
+#include "engine/input/file_text.h"
+#include "engine/input/nearest.h"
+#include "engine/input/place.h"
+
+namespace plumb {
+
+std::span<const StudyKind> study_kinds() {
+  static const std::vector<StudyKind> all{
+      {"work-precision", "_study", [](const Case& spec) { return spec.work_precision.has_value(); },
+       work_precision_study, nullptr},
+  };
+  return all;
+}
+
+std::vector<std::string> study_kind_names() {
+  std::vector<std::string> names;
+  for (const StudyKind& kind : study_kinds()) names.push_back(kind.name);
+  return names;
+}
+
+const StudyKind& chosen_study_kind(const Options& options, const Case& spec) {
+  for (const StudyKind& kind : study_kinds())
+    if (options.kind.empty() ? kind.asked_for(spec) : kind.name == options.kind) return kind;
+  if (options.kind.empty()) return study_kinds().front();
+  const std::vector<std::string> names = study_kind_names();
+  throw UsageError(fmt::format("'{}' is no kind of study{}; there are {}", options.kind,
+                               suggestion(options.kind, names), fmt::join(names, ", ")));
+}
+
+std::optional<NamedText> study_json_at(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  fs::path file = path;
+  if (fs::is_directory(file, ignored)) {
+    if (fs::exists(file / "run.h5", ignored) || !fs::exists(file / study_json_name, ignored)) return {};
+    file /= study_json_name;
+  } else if (file.filename() != study_json_name) {
+    return {};
+  }
+  FileText text = read_file_text(file.string());
+  if (!text.failure.empty())
+    throw InputError(one_line(fmt::format("{}: cannot be read: {}", file.string(), text.failure)));
+  return NamedText{file.string(), std::move(text.text)};
+}
+
+const StudyKind& kind_of_study_json(const NamedText& json) {
+  const auto value = nlohmann::json::parse(json.text, nullptr, false);
+  const std::string name = value.is_object() && value.contains("kind") && value["kind"].is_string()
+                               ? value["kind"].get<std::string>()
+                               : std::string();
+  for (const StudyKind& kind : study_kinds())
+    if (kind.report != nullptr && kind.name == name) return kind;
+  throw InputError(one_line(fmt::format("{}: holds no study of this program", json.name)));
+}
+
+}  // namespace plumb
