@@ -15,10 +15,11 @@ namespace {
 /// Outputs this close to a step, as a fraction of the output interval, are the state of that step.
 constexpr double same_time = 1e-9;
 
-/// Steps between two looks at the energy and the clock, which cost as much as a part of a short step. Outputs
-/// are always looked at. Within the steps between, the forces tell a slope that collapses and a state that is
-/// not finite.
-constexpr long steps_between_looks = 16;
+/// Steps between two looks at the energy and the clock. A look costs about as much as the shortest step, one
+/// force evaluation: with this many steps between, less than 2 % of a run (`make bench`, look). Outputs are
+/// always looked at. Within the steps between, the forces tell a slope that collapses and a state that is not
+/// finite.
+constexpr long steps_between_looks = 64;
 
 void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
   trajectory.times.push_back(t);

@@ -30,27 +30,39 @@ void system(const ElementConstants& element, double mass_factor, double stiffnes
   PLUMB_CHOOSE(chain_system, scaled, elements, q, block_columns);
 }
 
+/// The loop of add_up for a number of terms that is known, so that their factors stay in registers.
+template <int count>
+void add_up_terms(int size, const double* first, const double* factors, const double* const* terms,
+                  double* result) {
+  Lanes factor[count];
+  const double* term[count];
+#pragma GCC unroll 8
+  for (int k = 0; k < count; ++k) {
+    factor[k] = all(factors[k]);
+    term[k] = terms[k];
+  }
+  for (int i = 0; i < size; i += 6) {
+    Six sum = load_six(first + i);
+#pragma GCC unroll 8
+    for (int k = 0; k < count; ++k) {
+      const Six x = load_six(term[k] + i);
+      sum.a += factor[k] * x.a;
+      sum.b += __builtin_shufflevector(factor[k], factor[k], 0, 1) * x.b;
+    }
+    store_six(result + i, sum);
+  }
+}
+
 void add_up(int size, const double* first, int count, const double* factors, const double* const* terms,
             double* result) {
-  constexpr int wide = 4;
-  int i = 0;
-  for (; i + wide * lanes <= size; i += wide * lanes) {
-    Lanes sum[wide];
-    for (int w = 0; w < wide; ++w) sum[w] = load_lanes(first + i + w * lanes);
-    for (int k = 0; k < count; ++k)
-      for (int w = 0; w < wide; ++w) sum[w] += factors[k] * load_lanes(terms[k] + i + w * lanes);
-    for (int w = 0; w < wide; ++w) store_lanes(result + i + w * lanes, sum[w]);
-  }
-  for (; i + lanes <= size; i += lanes) {
-    Lanes sum = load_lanes(first + i);
-    for (int k = 0; k < count; ++k) sum += factors[k] * load_lanes(terms[k] + i);
-    store_lanes(result + i, sum);
-  }
-  for (; i < size; ++i) {
-    double sum = first[i];
-    for (int k = 0; k < count; ++k) sum += factors[k] * terms[k][i];
-    result[i] = sum;
-  }
+  // Called by pointers, as the compiler would otherwise merge them and save registers for the largest.
+  static constexpr decltype(&add_up_terms<1>) of_count[] = {add_up_terms<1>, add_up_terms<2>, add_up_terms<3>,
+                                                            add_up_terms<4>, add_up_terms<5>, add_up_terms<6>,
+                                                            add_up_terms<7>, add_up_terms<8>};
+  constexpr int most = static_cast<int>(sizeof(of_count) / sizeof(of_count[0]));
+  for (; count > most; count -= most, factors += most, terms += most, first = result)
+    of_count[most - 1](size, first, factors, terms, result);
+  of_count[count - 1](size, first, factors, terms, result);
 }
 
 }  // namespace

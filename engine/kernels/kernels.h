@@ -35,7 +35,7 @@ struct MassFactors {
   const MassFactor* from_left;      ///< of the first nodes
   const MassFactor* from_right;     ///< of the last nodes, the very last first
   int settled_left, settled_right;  ///< lengths of the lists, > 0
-  MassFactor middle;
+  const MassFactor* middle;
 };
 
 /// A node's block column of a symmetric block tridiagonal matrix: six columns of twelve numbers, the upper
@@ -75,7 +75,8 @@ struct Kernels {
   /// y := M v, without supports.
   void (*mass_multiply)(const ElementConstants& element, int elements, const double* v, double* y);
 
-  /// result := first + Σ factors[i] · terms[i] over `count` arrays of `size` numbers.
+  /// result := first + Σ factors[i] · terms[i] over `count` arrays, > 0, of `size` numbers, 6 a node.
+  /// The result may be one of them.
   void (*add_up)(int size, const double* first, int count, const double* factors, const double* const* terms,
                  double* result);
 

@@ -71,7 +71,7 @@ void mass_solve(int nodes, const MassFactors& factors, double* x) {
   NodeVectors center = load_node(at(middle));
   center = inwards(of_left(left), from_left, center);
   if (middle + 1 < nodes) center = inwards(of_right(right), from_right, center);
-  center = scaled(factors.middle, center);
+  center = scaled(*factors.middle, center);
   store_node(at(middle), center);
 
   NodeVectors to_left = center, to_right = center;

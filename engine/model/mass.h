@@ -35,7 +35,7 @@ class MassMatrix {
 
     MassFactors view() const {
       return {from_left.data(), from_right.data(), static_cast<int>(from_left.size()),
-              static_cast<int>(from_right.size()), middle};
+              static_cast<int>(from_right.size()), &middle};
     }
   };
 

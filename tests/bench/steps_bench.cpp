@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/integrate/method.h"
+#include "engine/integrate/monitor.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
@@ -45,6 +46,20 @@ void step(benchmark::State& state, const std::string& name) {
   state.counters["forces"] = a_step(dynamics.counters.force_evaluations);
   state.counters["tangents"] = a_step(dynamics.counters.tangent_evaluations);
 }
+
+/// One look of the Monitor, which comes with every output and with one step in steps_between_looks: to be
+/// held against that many of the shortest step, velocity-verlet's.
+void look(benchmark::State& state) {
+  const Case pendulum_case = pendulum_of(static_cast<int>(state.range(0)));
+  const Cable cable(pendulum_case);
+  const State start{0, cable.start_q(pendulum_case.start), cable.start_v(pendulum_case.start)};
+  const Monitor monitor(cable, start);
+  for (auto _ : state) benchmark::DoNotOptimize(monitor.check(start).ok());
+  state.counters["ns/element"] =
+      benchmark::Counter(static_cast<double>(state.range(0)) * 1e-9,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(look)->Arg(4)->Arg(64)->Arg(1024)->Arg(65536);
 
 const bool registered = [] {
   for (const MethodInfo& info : method_infos())
