@@ -71,7 +71,8 @@ Json case_json(const LoadedCase& loaded) {
                    {"angular_velocity", vector_json(spec.start.angular_velocity)},
                    {"slope_rates", word(spec.start.slope_rates)}};
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
-  json["loads"] = {{"gravity", vector_json(spec.loads.gravity)}};
+  json["loads"] = {{"gravity", vector_json(spec.loads.gravity)},
+                   {"end_force", vector_json(spec.loads.end_force)}};
   json["method"] = method_json(spec.method);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
   json["text"] = loaded.source.file.text;

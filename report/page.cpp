@@ -130,6 +130,7 @@ data case_rows(const Case& spec) {
   rows.push_back(
       pair_row("supports", fmt::format("{} – {}", word(spec.supports.first), word(spec.supports.last))));
   rows.push_back(pair_row("gravity", vector(spec.loads.gravity) + " m/s²"));
+  rows.push_back(pair_row("force on the last end", vector(spec.loads.end_force) + " N"));
   std::string method = spec.method.name;
   if (spec.method.step) method += fmt::format(", step {:.6g} s", *spec.method.step);
   if (spec.method.rtol)

@@ -38,9 +38,9 @@ std::optional<CollapsedSlope> collapsed_slope(const Cable& cable, const Eigen::V
 Monitor::Monitor(const Cable& cable, const State& start) : cable_(cable) {
   const Energies first = cable.energies(start.q, start.v);
   first_energy_ = first.total();
-  // A cable that is at rest without gravity has no energy at hand; round-off must not count as growth.
+  // A cable that is at rest without load has no energy at hand; round-off must not count as growth.
   const double round_off = 1e-12 * cable.element().axial_stiffness() * cable.length();
-  at_hand_ = first.kinetic + first.axial + first.bending + cable.weight() * cable.length() + round_off;
+  at_hand_ = first.kinetic + first.axial + first.bending + cable.load() * cable.length() + round_off;
 }
 
 StepResult Monitor::check(const State& state) const {

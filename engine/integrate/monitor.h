@@ -12,7 +12,8 @@ inline constexpr double energy_growth_limit = 1;
 /// Looks at the state after each step and says whether it can still be believed.
 class Monitor {
  public:
-  /// The energies at hand: first kinetic and strain energy, and what gravity can release, weight × length.
+  /// The energies at hand: first kinetic and strain energy, and what gravity and the end force
+  /// can release, (weight + force) × length.
   Monitor(const Cable& cable, const State& start);
 
   /// `completed` if the state is finite, no slope has collapsed and the energy is within its bound.

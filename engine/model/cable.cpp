@@ -11,6 +11,7 @@ namespace plumb {
 Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
       gravity_(spec.loads.gravity),
+      end_force_(spec.loads.end_force),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain),
@@ -26,7 +27,8 @@ Cable::Cable(const Case& spec)
   // A uniform acceleration is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = gravity_;
-  mass_.multiply(uniform, gravity_force_);
+  mass_.multiply(uniform, external_force_);
+  external_force_.segment<3>(6 * elements_) += end_force_;
 }
 
 Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
@@ -52,6 +54,7 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
   f.resize(q.size());
   const int collapsed = best_kernels().force(constants_, elements_, q.data(), f.data());
+  f.segment<3>(6 * elements_) += end_force_;
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
@@ -64,7 +67,7 @@ Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) con
   Energies result;
   result.kinetic = mass_.kinetic_energy(v);
   best_kernels().energy(constants_, elements_, q.data(), &result.axial, &result.bending);
-  result.potential = -gravity_force_.dot(q);
+  result.potential = -external_force_.dot(q);
   return result;
 }
 

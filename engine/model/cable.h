@@ -20,7 +20,8 @@ struct CablePoint {
   Vec3 bend;      ///< r'', 1/m
 };
 
-/// The discrete cable: a chain of equal elements with supports and gravity. Its coordinates q hold r (m) and
+/// The discrete cable: a chain of equal elements with supports, gravity and a force on its last
+/// end. Its coordinates q hold r (m) and
 /// r' (1) of each node in turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable
 /// never changes and may be shared between threads.
 class Cable {
@@ -32,6 +33,8 @@ class Cable {
   int size() const { return 6 * nodes(); }
   double length() const { return element_.length() * elements_; }
   double weight() const { return constants_.mass_per_length * length() * gravity_.norm(); }  ///< N
+  /// Weight and end force together, N; times the length, the energy that they can release.
+  double load() const { return weight() + end_force_.norm(); }
 
   const Element& element() const { return element_; }
   /// The same element for the kernels.
@@ -44,10 +47,10 @@ class Cable {
   /// The rates at the start, with what the supports hold set to 0.
   Eigen::VectorXd start_v(const StartSpec& start) const;
 
-  /// The weight of the cable on its coordinates, N and N m.
-  const Eigen::VectorXd& gravity_force() const { return gravity_force_; }
+  /// The weight of the cable and the force on its last end, on its coordinates, N and N m.
+  const Eigen::VectorXd& external_force() const { return external_force_; }
 
-  /// f := gravity minus elastic force; the forces of the supports are not in it. Returns an element whose
+  /// f := external minus elastic force; the forces of the supports are not in it. Returns an element whose
   /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point), for which f is incomplete; nothing
   /// if all is well.
   std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
@@ -71,12 +74,12 @@ class Cable {
   Place place(double s) const;
 
   int elements_;
-  Vec3 gravity_;
+  Vec3 gravity_, end_force_;
   Element element_;
   ElementConstants constants_;
   SupportProjection supports_;
   MassMatrix mass_;
-  Eigen::VectorXd gravity_force_;
+  Eigen::VectorXd external_force_;
 };
 
 }  // namespace plumb
