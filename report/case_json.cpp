@@ -69,7 +69,8 @@ Json case_json(const LoadedCase& loaded) {
                    {"quadrature", word(spec.cable.quadrature)}};
   json["start"] = {{"direction", vector_json(spec.start.direction)},
                    {"angular_velocity", vector_json(spec.start.angular_velocity)},
-                   {"slope_rates", word(spec.start.slope_rates)}};
+                   {"slope_rates", word(spec.start.slope_rates)},
+                   {"axial_speed", spec.start.axial_speed}};
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
   json["loads"] = {{"gravity", vector_json(spec.loads.gravity)},
                    {"end_force", vector_json(spec.loads.end_force)}};

@@ -127,6 +127,7 @@ data case_rows(const Case& spec) {
   rows.push_back(pair_row("direction at the start", vector(spec.start.direction)));
   rows.push_back(pair_row("angular velocity at the start", vector(spec.start.angular_velocity) + " rad/s"));
   rows.push_back(pair_row("slope rates at the start", std::string(word(spec.start.slope_rates))));
+  rows.push_back(pair_row("axial speed of the last end at the start", exact(spec.start.axial_speed) + " m/s"));
   rows.push_back(
       pair_row("supports", fmt::format("{} – {}", word(spec.supports.first), word(spec.supports.last))));
   rows.push_back(pair_row("gravity", vector(spec.loads.gravity) + " m/s²"));

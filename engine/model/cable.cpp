@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/model/hermite.h"
 
@@ -46,6 +47,11 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
   for (int node = 0; node < nodes(); ++node) {
     v.segment<3>(6 * node) = element_.length() * node * turn;
     v.segment<3>(6 * node + 3) = start.slope_rates == SlopeRates::rigid ? turn : Vec3::Zero();
+    // u(s) = sin(πs/2) and its derivative along the cable.
+    const double phase = 0.5 * std::numbers::pi * node / elements_;
+    v.segment<3>(6 * node) += start.axial_speed * std::sin(phase) * start.direction;
+    v.segment<3>(6 * node + 3) +=
+        start.axial_speed * (0.5 * std::numbers::pi / length()) * std::cos(phase) * start.direction;
   }
   supports_.apply(v);
   return v;

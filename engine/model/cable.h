@@ -44,7 +44,8 @@ class Cable {
 
   /// Straight, unstretched, turning with the angular velocity of the case.
   Eigen::VectorXd start_q(const StartSpec& start) const;
-  /// The rates at the start, with what the supports hold set to 0.
+  /// The rates at the start, those of the rotation and of the axial speed together, with what the supports
+  /// hold set to 0.
   Eigen::VectorXd start_v(const StartSpec& start) const;
 
   /// The weight of the cable and the force on its last end, on its coordinates, N and N m.
