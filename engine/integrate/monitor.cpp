@@ -59,8 +59,8 @@ StepResult Monitor::check(const State& state) const {
   if (!std::isfinite(energy)) return {Outcome::diverged, "the energy is not finite", -1};
   if (energy - first_energy_ > energy_growth_limit * at_hand_)
     return {Outcome::unstable,
-            fmt::format("the energy grew by {:.3g} J, the bound is {:.3g} J, as much as was at hand",
-                        energy - first_energy_, energy_growth_limit * at_hand_),
+            fmt::format("the energy grew by {:.3g} J, the bound is {:.3g} J, {:g} times what was at hand",
+                        energy - first_energy_, energy_growth_limit * at_hand_, energy_growth_limit),
             -1};
   return {};
 }

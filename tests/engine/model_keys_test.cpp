@@ -19,7 +19,7 @@ TEST(ModelKeys, AForceOnTheLastEndIsRead) {
 
 TEST(ModelKeys, AForceThatIsNotThreeNumbersIsRefused) {
   EXPECT_TRUE(matches(refusal(small_with("[loads]", "[loads]\nend_force = [1, 2]")),
-                      "case.toml:22:13: loads.end_force = [1, 2]: must be a list of three numbers …"))
+                      "case.toml:22:13: loads.end_force = [1, 2]: must be a list of 3 numbers, found 2 of them"))
       << refusal(small_with("[loads]", "[loads]\nend_force = [1, 2]"));
 }
 
@@ -30,7 +30,7 @@ TEST(ModelKeys, AnAxialSpeedIsRead) {
 
 TEST(ModelKeys, AnAxialSpeedThatIsNotANumberIsRefused) {
   const std::string message = refusal(small_with("[start]", "[start]\naxial_speed = true"));
-  EXPECT_TRUE(matches(message, "case.toml:15:15: start.axial_speed = true: must be a number …")) << message;
+  EXPECT_TRUE(matches(message, "case.toml:15:15: start.axial_speed = true: must be a number (m/s), found a boolean")) << message;
 }
 
 }  // namespace
