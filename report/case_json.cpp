@@ -65,6 +65,7 @@ Json case_json(const LoadedCase& loaded) {
                    {"youngs_modulus", spec.cable.youngs_modulus},
                    {"second_moment", spec.cable.second_moment},
                    {"elements", spec.cable.elements},
+                   {"model", word(spec.cable.model)},
                    {"strain", word(spec.cable.strain)},
                    {"quadrature", word(spec.cable.quadrature)}};
   json["start"] = {{"direction", vector_json(spec.start.direction)},

@@ -20,9 +20,17 @@ struct CollapsedSlope {
   double length;
 };
 
-/// The first slope at or below its floor, of those at the nodes and in the middle of the elements.
+/// The first slope at or below its floor, of those at the nodes and in the middle of the elements, or along
+/// the links of a chain.
 std::optional<CollapsedSlope> collapsed_slope(const Cable& cable, const Eigen::VectorXd& q) {
   const double l = cable.element().length();
+  if (cable.chain()) {
+    for (int e = 0; e < cable.elements(); ++e) {
+      const Vec3 d = q.segment<3>(6 * e + 6) - q.segment<3>(6 * e);
+      if (!cable.chain()->link().is_whole(d)) return CollapsedSlope{e, d.norm() / l};
+    }
+    return std::nullopt;
+  }
   for (int e = 0; e < cable.elements(); ++e) {
     const auto r0 = q.segment<3>(6 * e), g0 = q.segment<3>(6 * e + 3);
     const auto r1 = q.segment<3>(6 * e + 6), g1 = q.segment<3>(6 * e + 9);

@@ -22,8 +22,10 @@ Cable::Cable(const Case& spec)
                  spec.cable.density * spec.cable.area,
                  {gravity_.x(), gravity_.y(), gravity_.z()},
                  spec.cable.strain == StrainModel::green_geometric,
-                 spec.cable.quadrature == QuadratureRule::full},
-      supports_(spec.supports, spec.start.direction, spec.cable.elements + 1),
+                 spec.cable.quadrature == QuadratureRule::full,
+                 spec.cable.model == CableModel::chain},
+      chain_(spec.cable.model == CableModel::chain ? std::optional<Chain>(constants_) : std::nullopt),
+      supports_(spec.supports, spec.start.direction, spec.cable.elements + 1, spec.cable.model),
       mass_(constants_, elements_, supports_) {
   // A uniform acceleration is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
@@ -59,6 +61,10 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
 
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
   f.resize(q.size());
+  if (chain_) {
+    f = external_force_;
+    return chain_->subtract_gradient(q, f);
+  }
   const int collapsed = best_kernels().force(constants_, elements_, q.data(), f.data());
   f.segment<3>(6 * elements_) += end_force_;
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
@@ -66,15 +72,29 @@ std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) co
 
 void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
                    BlockTridiagonal& A) const {
-  best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
+  if (chain_)
+    chain_->system(q, mass_factor, stiffness_factor, A);
+  else
+    best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
 }
 
 Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
   Energies result;
-  result.kinetic = mass_.kinetic_energy(v);
-  best_kernels().energy(constants_, elements_, q.data(), &result.axial, &result.bending);
+  if (chain_) {
+    result.kinetic = chain_->kinetic_energy(v);
+    result.axial = chain_->strain_energy(q);
+  } else {
+    result.kinetic = mass_.kinetic_energy(v);
+    best_kernels().energy(constants_, elements_, q.data(), &result.axial, &result.bending);
+  }
   result.potential = -external_force_.dot(q);
   return result;
+}
+
+void Cable::set_output_slopes(Eigen::VectorXd& q, Eigen::VectorXd& v) const {
+  if (!chain_) return;
+  chain_->set_slopes(q);
+  chain_->set_slopes(v);
 }
 
 Cable::Place Cable::place(double s) const {
@@ -86,6 +106,10 @@ Cable::Place Cable::place(double s) const {
 CablePoint Cable::at(const Eigen::VectorXd& q, double s) const {
   const auto [element, x] = place(s);
   const double l = element_.length();
+  if (chain_) {
+    const Vec3 r0 = q.segment<3>(6 * element), r1 = q.segment<3>(6 * element + 6);
+    return {(1 - x) * r0 + x * r1, (r1 - r0) / l, Vec3::Zero()};
+  }
   const auto combine = [&, e = element](const std::array<double, 4>& shape) {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 4; ++i) sum += shape[static_cast<std::size_t>(i)] * q.segment<3>(6 * e + 3 * i);

@@ -7,6 +7,7 @@
 #include "engine/integrate/trajectory.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"
+#include "engine/model/chain.h"
 #include "engine/model/element.h"
 #include "engine/model/mass.h"
 #include "engine/model/supports.h"
@@ -20,10 +21,10 @@ struct CablePoint {
   Vec3 bend;      ///< r'', 1/m
 };
 
-/// The discrete cable: a chain of equal elements with supports, gravity and a force on its last
-/// end. Its coordinates q hold r (m) and
-/// r' (1) of each node in turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable
-/// never changes and may be shared between threads.
+/// The discrete cable: equal elements one after the other, or the links of a chain (CableModel), with
+/// supports, gravity and a force on its last end. Its coordinates q hold r (m) and r' (1) of each node in
+/// turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable never changes and may be
+/// shared between threads.
 class Cable {
  public:
   explicit Cable(const Case& spec);
@@ -35,6 +36,9 @@ class Cable {
   double weight() const { return constants_.mass_per_length * length() * gravity_.norm(); }  ///< N
   /// Weight and end force together, N; times the length, the energy that they can release.
   double load() const { return weight() + end_force_.norm(); }
+
+  /// The links, where the cable is modelled as a chain; else nothing.
+  const std::optional<Chain>& chain() const { return chain_; }
 
   const Element& element() const { return element_; }
   /// The same element for the kernels.
@@ -52,8 +56,8 @@ class Cable {
   const Eigen::VectorXd& external_force() const { return external_force_; }
 
   /// f := external minus elastic force; the forces of the supports are not in it. Returns an element whose
-  /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point), for which f is incomplete; nothing
-  /// if all is well.
+  /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point; of a link, λ ≤ slope_floor), for
+  /// which f is incomplete; nothing if all is well.
   std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
 
   /// A := mass_factor · M + stiffness_factor · K(q) with K = −∂f/∂q, without supports.
@@ -62,7 +66,11 @@ class Cable {
 
   Energies energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
 
-  /// The cable at the fraction s in [0, 1] of its length.
+  /// For outputs: gives the slopes of a chain and their rates what the links beside them have. The slopes of
+  /// a cable stay as they are.
+  void set_output_slopes(Eigen::VectorXd& q, Eigen::VectorXd& v) const;
+
+  /// The cable at the fraction s in [0, 1] of its length; a chain is straight between its nodes.
   CablePoint at(const Eigen::VectorXd& q, double s) const;
   /// Interpolates any nodal field (such as v) at s, the way positions are.
   Vec3 interpolate(const Eigen::VectorXd& nodal, double s) const;
@@ -78,6 +86,7 @@ class Cable {
   Vec3 gravity_, end_force_;
   Element element_;
   ElementConstants constants_;
+  std::optional<Chain> chain_;
   SupportProjection supports_;
   MassMatrix mass_;
   Eigen::VectorXd external_force_;
