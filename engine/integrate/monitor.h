@@ -14,17 +14,20 @@ inline constexpr double energy_growth_limit = 0.5;
 /// Looks at the state after each step and says whether it can still be believed.
 class Monitor {
  public:
+  /// `energy_bounded`: false for a load that grows, whose work the energy holds.
   /// The energies at hand: first kinetic and strain energy, and what gravity and the end force
   /// can release, (weight + force) × length.
-  Monitor(const Cable& cable, const State& start);
+  Monitor(const Cable& cable, const State& start, bool energy_bounded = true);
 
-  /// `completed` if the state is finite, no slope has collapsed and the energy is within its bound.
+  /// `completed` if the state is finite, no slope has collapsed and the energy is within its bound, if it has
+  /// one.
   StepResult check(const State& state) const;
 
   double energies_at_hand() const { return at_hand_; }  ///< J
 
  private:
   const Cable& cable_;
+  bool energy_bounded_;
   double first_energy_;  // J
   double at_hand_;       // J
 };
