@@ -1,7 +1,7 @@
 #include "engine/integrate/structural_method.h"
+#include "engine/integrate/structural_schemes.h"
 
 namespace plumb {
-namespace {
 
 /// The generalized-α method of Chung and Hulbert (1993), with the nonlinear forces at the generalized
 /// midpoint (Kuhl and Crisfield 1999):
@@ -10,7 +10,7 @@ namespace {
 /// or, with mean_forces, (1 − αf) f(qₙ₊₁) + αf f(qₙ) in the place of that force, which is the same for linear
 /// ones, with αm, αf, β and γ from the spectral radius ρ∞ at infinite frequency. ρ∞ = 1 is the midpoint rule,
 /// which keeps every linear oscillation, 0 removes the highest in a step.
-StructuralScheme scheme_of(double rho, bool mean_forces) {
+StructuralScheme generalized_alpha_scheme(double rho, bool mean_forces) {
   const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
   const double gamma = 0.5 - alpha_m + alpha_f;
   const double beta = 0.25 * (1 - alpha_m + alpha_f) * (1 - alpha_m + alpha_f);
@@ -25,8 +25,6 @@ StructuralScheme scheme_of(double rho, bool mean_forces) {
   }
   return s;
 }
-
-}  // namespace
 
 MethodEntry generalized_alpha_entry() {
   MethodInfo info = structural_info();
@@ -51,8 +49,8 @@ MethodEntry generalized_alpha_entry() {
        .whole = true});
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            const StructuralScheme scheme =
-                scheme_of(spec.parameters.at("spectral_radius"), spec.parameters.at("mean_forces") != 0);
+            const StructuralScheme scheme = generalized_alpha_scheme(spec.parameters.at("spectral_radius"),
+                                                                     spec.parameters.at("mean_forces") != 0);
             return std::make_unique<StructuralMethod>(scheme, spec, dynamics, start);
           }};
 }
