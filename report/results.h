@@ -21,6 +21,9 @@ struct Results {
   std::vector<Verdict> verdicts;  ///< one for each of `errors`
   Stages stages;                  ///< those before the report itself
   const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
+  /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
+  /// not met; else how the integration itself ended.
+  Outcome outcome = Outcome::not_run;
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };
@@ -30,6 +33,10 @@ Results evaluate(const Run& run, const Stages& stages, const Study* study = null
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
+
+/// Why the outcome is what it is: "every criterion is met", "known: tip.y is not met", "not held against
+/// anything", or what ended the integration.
+std::string outcome_reason(const Results& results);
 
 /// The energy drift relative to what it is held against: "3.4e-14 of the first kinetic energy".
 std::string drift_in_words(const Trajectory& trajectory);

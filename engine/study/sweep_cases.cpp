@@ -68,7 +68,8 @@ double drawn(Draw& draw, const MethodParameter& parameter) {
                  : parameter.whole ? draw.uniform(parameter.minimum - 0.5, parameter.maximum + 0.5)
                                    : draw.uniform(parameter.minimum, parameter.maximum);
   value = parameter.whole ? std::round(value) : std::strtod(in_short(value).c_str(), nullptr);
-  return std::clamp(value, parameter.minimum, parameter.maximum);
+  // Not -0, which would be written so.
+  return std::clamp(value, parameter.minimum, parameter.maximum) + 0.0;
 }
 
 std::vector<const MethodInfo*> methods_in_time() {
