@@ -4,6 +4,7 @@
 #include <new>
 
 #include "engine/integrate/arkode_method.h"
+#include "engine/integrate/arkode_tables.h"
 #include "engine/integrate/reduced_linear_solver.h"
 
 namespace plumb {
@@ -12,19 +13,6 @@ namespace {
 struct FreeArk {
   void operator()(void* memory) const { ARKStepFree(&memory); }
 };
-
-ARKODE_DIRKTableID table_of_order(int order) {
-  switch (order) {
-    case 2:
-      return ARKODE_TRBDF2_3_3_2;
-    case 3:
-      return ARKODE_ESDIRK325L2SA_5_2_3;
-    case 4:
-      return ARKODE_ESDIRK437L2SA_7_3_4;
-    default:
-      return ARKODE_ESDIRK547L2SA2_7_4_5;
-  }
-}
 
 /// ARKODE's diagonally implicit Runge-Kutta methods (Reynolds et al. 2023), all with an explicit first stage,
 /// stiffly accurate and L-stable: of order 2 TR-BDF2 (Bank et al. 1985; Hosea and Shampine 1996), of order 3
@@ -43,7 +31,7 @@ class ArkodeDirk : public sundials::ArkodeMethod {
     ARKStepSetUserData(ark, static_cast<LibraryMethod*>(this));
     ARKStepSetErrHandlerFn(ark, sundials::keep_message, &message());
     const int order = static_cast<int>(spec.parameters.at("order"));
-    ARKStepSetTableNum(ark, table_of_order(order), ARKODE_ERK_NONE);
+    ARKStepSetTableNum(ark, implicit_table_of(order), ARKODE_ERK_NONE);
     ARKStepSetLinearSolver(ark, solver_.get(), matrix_.get());
     ARKStepSetLinSysFn(ark, linear_system);
     // A tangent costs less than the iterations that an old one adds, and a matrix for another γ, with its

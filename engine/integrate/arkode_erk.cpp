@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/integrate/arkode_method.h"
+#include "engine/integrate/arkode_tables.h"
 
 namespace plumb {
 namespace {
@@ -13,34 +14,12 @@ struct FreeErk {
   void operator()(void* memory) const { ERKStepFree(&memory); }
 };
 
-struct FreeTable {
-  void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
-};
-using Table = std::unique_ptr<ARKodeButcherTableMem, FreeTable>;
-
-ARKODE_ERKTableID table_of_order(int order) {
-  switch (order) {
-    case 2:
-      return ARKODE_HEUN_EULER_2_1_2;
-    case 3:
-      return ARKODE_BOGACKI_SHAMPINE_4_2_3;
-    case 4:
-      return ARKODE_ZONNEVELD_5_3_4;
-    case 5:
-      return ARKODE_DORMAND_PRINCE_7_4_5;
-    case 6:
-      return ARKODE_VERNER_8_5_6;
-    default:
-      return ARKODE_FEHLBERG_13_7_8;
-  }
-}
-
 /// The pair with the formula's own result as one more stage, of weight 0, whose rate is the first of the next
 /// step. SUNDIALS 6.4 takes the last stage for that wherever it lies at the end of the step, which is wrong,
 /// and costs order and stability, unless it holds the result; with this stage it always does, at no cost.
-Table with_result_as_last_stage(const Table& pair) {
+ArkodeTable with_result_as_last_stage(const ArkodeTable& pair) {
   const int s = pair->stages;
-  Table table(ARKodeButcherTable_Alloc(s + 1, SUNTRUE));
+  ArkodeTable table(ARKodeButcherTable_Alloc(s + 1, SUNTRUE));
   if (!table) throw std::bad_alloc();
   table->q = pair->q;
   table->p = pair->p;
@@ -55,14 +34,8 @@ Table with_result_as_last_stage(const Table& pair) {
 }
 
 /// The pair that advances with a formula of that order.
-Table make_table(int order) {
-  Table table(ARKodeButcherTable_LoadERK(table_of_order(order)));
-  if (!table) throw std::bad_alloc();
-  // Fehlberg's own use of his pair: advance with the formula of order 7, estimate with that of order 8.
-  if (order == 7) {
-    std::swap(table->b, table->d);
-    std::swap(table->q, table->p);
-  }
+ArkodeTable make_table(int order) {
+  ArkodeTable table = explicit_table(order);
   const int last = table->stages - 1;
   const bool ends_with_result = std::equal(table->b, table->b + last, table->A[last]) && table->b[last] == 0;
   return ends_with_result ? std::move(table) : with_result_as_last_stage(table);

@@ -4,6 +4,7 @@
 #include <complex>
 #include <utility>
 
+#include "engine/integrate/gauss_table.h"
 #include "engine/integrate/newton.h"
 #include "engine/integrate/one_step_method.h"
 #include "engine/kernels/kernels.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int stages = 3;
+constexpr int stages = GaussTable::stages;
 using Weights = Eigen::Vector3d;
 
 /// Contraction of the corrections above which new factors pay for themselves.
@@ -22,7 +23,7 @@ constexpr double slow = 0.2;
 /// Contraction above which the old factors lead astray, and the step begins anew.
 constexpr double astray = 1;
 
-/// The Gauss method of three stages (Hairer, Lubich and Wanner 2006, section II.1.3) for q'' = g(q).
+/// The weights of a GaussTable for q'' = g(q).
 struct Tableau {
   Weights c, b;
   Eigen::Matrix3d position;  ///< A²: of the stages' positions
@@ -34,14 +35,8 @@ struct Tableau {
   Weights real_column, real_row;  ///< of T and of T⁻¹
   Eigen::Vector3cd pair_column, pair_row;
 
-  Tableau() {
-    const double root = std::sqrt(15.0);
-    c << 0.5 - root / 10, 0.5, 0.5 + root / 10;
-    b << 5.0 / 18, 4.0 / 9, 5.0 / 18;
-    Eigen::Matrix3d A;
-    A << 5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30,  //
-        5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24,   //
-        5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36;
+  explicit Tableau(const GaussTable& table = {}) : c(table.c), b(table.b) {
+    const Eigen::Matrix3d& A = table.A;
     position = A * A;
     end_position = A.transpose() * b;
     const Eigen::EigenSolver<Eigen::Matrix3d> eigen(A);

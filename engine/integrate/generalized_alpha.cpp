@@ -1,7 +1,7 @@
 #include "engine/integrate/structural_method.h"
+#include "engine/integrate/structural_schemes.h"
 
 namespace plumb {
-namespace {
 
 /// The generalized-α method of Chung and Hulbert (1993), with the nonlinear forces at the generalized
 /// midpoint (Kuhl and Crisfield 1999):
@@ -9,7 +9,7 @@ namespace {
 ///   qₙ₊₁ = qₙ + h vₙ + h² ((½ − β) aₙ + β aₙ₊₁),   vₙ₊₁ = vₙ + h ((1 − γ) aₙ + γ aₙ₊₁),
 /// with αm, αf, β and γ from the spectral radius ρ∞ at infinite frequency. ρ∞ = 1 is the midpoint rule, which
 /// keeps every linear oscillation, 0 removes the highest in a step.
-StructuralScheme scheme_of(double rho) {
+StructuralScheme generalized_alpha_scheme(double rho) {
   const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
   const double gamma = 0.5 - alpha_m + alpha_f;
   const double beta = 0.25 * (1 - alpha_m + alpha_f) * (1 - alpha_m + alpha_f);
@@ -19,8 +19,6 @@ StructuralScheme scheme_of(double rho) {
   s.point = 1 - alpha_f;
   return s;
 }
-
-}  // namespace
 
 MethodEntry generalized_alpha_entry() {
   MethodInfo info = structural_info();
@@ -37,8 +35,8 @@ MethodEntry generalized_alpha_entry() {
        .fallback = 0.8});
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<StructuralMethod>(scheme_of(spec.parameters.at("spectral_radius")), spec,
-                                                      dynamics, start);
+            return std::make_unique<StructuralMethod>(
+                generalized_alpha_scheme(spec.parameters.at("spectral_radius")), spec, dynamics, start);
           }};
 }
 

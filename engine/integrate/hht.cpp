@@ -1,20 +1,18 @@
 #include "engine/integrate/structural_method.h"
+#include "engine/integrate/structural_schemes.h"
 
 namespace plumb {
-namespace {
 
 /// The α method of Hilber, Hughes and Taylor (1977), with the forces of both ends of the step averaged:
 ///   M aₙ₊₁ = (1 + α) f(qₙ₊₁) − α f(qₙ),   β = ¼ (1 − α)²,  γ = ½ − α.
 /// α = 0 is the trapezoidal rule, α = −1/3 damps most.
-StructuralScheme scheme_of(double alpha) {
+StructuralScheme hht_scheme(double alpha) {
   const double beta = 0.25 * (1 - alpha) * (1 - alpha), gamma = 0.5 - alpha;
   StructuralScheme s = newmark(beta, gamma);
   s.force_old = -alpha;
   s.force_new = 1 + alpha;
   return s;
 }
-
-}  // namespace
 
 MethodEntry hht_entry() {
   MethodInfo info = structural_info();
@@ -30,7 +28,7 @@ MethodEntry hht_entry() {
                           .fallback = -0.1});
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<StructuralMethod>(scheme_of(spec.parameters.at("alpha")), spec, dynamics,
+            return std::make_unique<StructuralMethod>(hht_scheme(spec.parameters.at("alpha")), spec, dynamics,
                                                       start);
           }};
 }

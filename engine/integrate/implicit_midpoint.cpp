@@ -1,20 +1,20 @@
 #include "engine/integrate/structural_method.h"
+#include "engine/integrate/structural_schemes.h"
 
 namespace plumb {
-namespace {
 
 /// The implicit midpoint rule (Hairer, Lubich and Wanner 2006, section II.1), the Gauss method of one stage:
 ///   M a = f(½ (qₙ + qₙ₊₁)),  qₙ₊₁ = qₙ + h vₙ + ½h² a,  vₙ₊₁ = vₙ + h a.
 /// It is symplectic and keeps the energy of every linear oscillation.
-constexpr StructuralScheme scheme{.position_old = 0,
-                                  .position_new = 0.5,
-                                  .velocity_old = 0,
-                                  .velocity_new = 1,
-                                  .point = 0.5,
-                                  .time = 0.5,
-                                  .error = 1.0 / 12};
-
-}  // namespace
+StructuralScheme implicit_midpoint_scheme() {
+  return {.position_old = 0,
+          .position_new = 0.5,
+          .velocity_old = 0,
+          .velocity_new = 1,
+          .point = 0.5,
+          .time = 0.5,
+          .error = 1.0 / 12};
+}
 
 MethodEntry implicit_midpoint_entry() {
   MethodInfo info = structural_info();
@@ -25,7 +25,7 @@ MethodEntry implicit_midpoint_entry() {
   info.use = "long runs with small steps whose energy must not drift";
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<StructuralMethod>(scheme, spec, dynamics, start);
+            return std::make_unique<StructuralMethod>(implicit_midpoint_scheme(), spec, dynamics, start);
           }};
 }
 

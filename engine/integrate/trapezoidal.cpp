@@ -1,14 +1,14 @@
 #include "engine/integrate/structural_method.h"
+#include "engine/integrate/structural_schemes.h"
 
 namespace plumb {
-namespace {
 
 /// The trapezoidal rule: Newmark's method (1959) with β = ¼ and γ = ½,
 ///   M aₙ₊₁ = f(qₙ₊₁),  qₙ₊₁ = qₙ + h vₙ + ¼h² (aₙ + aₙ₊₁),  vₙ₊₁ = vₙ + ½h (aₙ + aₙ₊₁).
 /// It keeps the energy of every linear oscillation, and of no nonlinear one.
-constexpr StructuralScheme scheme = newmark(0.25, 0.5);
-
-}  // namespace
+StructuralScheme trapezoidal_scheme() {
+  return newmark(0.25, 0.5);
+}
 
 MethodEntry trapezoidal_entry() {
   MethodInfo info = structural_info();
@@ -18,7 +18,7 @@ MethodEntry trapezoidal_entry() {
   info.use = "short runs with small steps; it can gain energy without bound on stiff cables";
   return {info,
           [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<StructuralMethod>(scheme, spec, dynamics, start);
+            return std::make_unique<StructuralMethod>(trapezoidal_scheme(), spec, dynamics, start);
           }};
 }
 

@@ -17,9 +17,10 @@ Judgement judge(const Trajectory& run, const Trajectory& reference, double toler
   // Written so that what is not a number is inaccurate.
   bool accurate = result.error <= tolerance;
   if (result.judged_until < run.times.back()) {
-    const double first = run.energies.front().total();
+    const double first = run.energies.front().total(), scale = run.kinetic_scale();
     for (const Energies& energies : run.energies)
-      accurate = accurate && std::abs(energies.total() - first) <= energy_share * run.kinetic_scale();
+      accurate =
+          accurate && std::isfinite(scale) && std::abs(energies.total() - first) <= energy_share * scale;
   }
   result.outcome = accurate ? Outcome::accurate : Outcome::inaccurate;
   return result;
