@@ -49,7 +49,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.parameters = parameters.values();
   spec.cable = read_cable(cable);
   spec.start = read_start(start);
-  spec.supports = read_supports(supports);
+  spec.supports = read_supports(supports, spec.cable.model);
   spec.loads = read_loads(loads);
   spec.time = read_time(time);
   spec.method = read_method(method, spec.time);

@@ -8,6 +8,7 @@
 
 #include "engine/integrate/monitor.h"
 #include "engine/interrupt.h"
+#include "engine/model/support_constraints.h"
 
 namespace plumb {
 namespace {
@@ -28,6 +29,7 @@ void record(const Cable& cable, double t, const State& state, Trajectory& trajec
   trajectory.times.push_back(t);
   trajectory.q.push_back(state.q);
   trajectory.v.push_back(state.v);
+  cable.set_output_slopes(trajectory.q.back(), trajectory.v.back());
   trajectory.energies.push_back(cable.energies(state.q, state.v));
 }
 
@@ -37,11 +39,9 @@ void record_constraints(const Cable& cable, const Method& method, double t, Eige
   method.constraint_forces(t, lambda);
   if (lambda.size() == 0) return;
   trajectory.multipliers.push_back(lambda);
-  Eigen::VectorXd held = trajectory.q.back() - trajectory.q.front();
-  Eigen::VectorXd admissible = held;
-  cable.supports().apply(admissible);
-  held -= admissible;
-  trajectory.constraint_drift = std::max(trajectory.constraint_drift, held.norm());
+  const SupportConstraints constraints(cable.supports().spec(), cable.supports().direction(), cable.nodes());
+  const Eigen::VectorXd moved = trajectory.q.back() - trajectory.q.front();
+  trajectory.constraint_drift = std::max(trajectory.constraint_drift, constraints.apply(moved).norm());
 }
 
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {

@@ -17,6 +17,7 @@ MethodEntry hht_entry();
 MethodEntry generalized_alpha_entry();
 MethodEntry implicit_midpoint_entry();
 MethodEntry energy_momentum_entry();
+MethodEntry bdf_entry();
 MethodEntry cvode_bdf_entry();
 MethodEntry cvode_adams_entry();
 MethodEntry arkode_dirk_entry();
@@ -40,6 +41,7 @@ const std::vector<MethodEntry>& entries() {
       energy_momentum_entry(),
       arkode_dirk_entry(),
       gauss_entry(),
+      bdf_entry(),
       cvode_adams_entry(),
       cvode_bdf_entry(),
       ida_entry(),
