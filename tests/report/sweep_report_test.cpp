@@ -1,7 +1,9 @@
 #include "report/sweep_report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "engine/study/run_sweep.h"
@@ -158,6 +160,22 @@ TEST(SweepProgram, AnyCaseCanBeSweptByName) {
                                                "study.sweep.cases=8", "--set", "study.sweep.time_limit=0.1"});
   EXPECT_EQ(ended.status, 0) << ended.err << ended.out;
   EXPECT_TRUE(fs::exists(folder / "output/pendulum_sweep/index.html"));
+}
+
+TEST(SweepProgram, InterruptedItEndsWith130AndLeavesNoProcessBehind) {
+  const TemporaryFolder folder;
+  const pid_t child = start({PLUMB_PROGRAM, "study", case_path("failure/random_sweep.toml"), "--set",
+                             "study.sweep.cases=100000", "-o", "a"},
+                            folder.path());
+  const auto of_child = [&] { return read_text(fmt::format("/proc/{0}/task/{0}/children", child)); };
+  std::string workers;
+  while (workers.empty() && ::kill(child, 0) == 0) workers = of_child();
+  ::kill(child, SIGINT);
+  const Ended ended = finish(child, folder.path());
+  EXPECT_EQ(ended.status, 130) << ended.err;
+  EXPECT_FALSE(fs::exists(folder / "a"));
+  std::istringstream list(workers);
+  for (pid_t worker = 0; list >> worker;) EXPECT_NE(::kill(worker, 0), 0) << "process " << worker;
 }
 
 TEST(SweepProgram, ADamagedStudyIsRefusedInOneLine) {
