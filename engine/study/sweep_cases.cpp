@@ -75,7 +75,7 @@ double drawn(Draw& draw, const MethodParameter& parameter) {
 std::vector<const MethodInfo*> methods_in_time() {
   std::vector<const MethodInfo*> methods;
   for (const MethodInfo& info : method_infos())
-    if (info.takes_step || info.takes_tolerances) methods.push_back(&info);
+    if (info.dynamic) methods.push_back(&info);
   return methods;
 }
 
