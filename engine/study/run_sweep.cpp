@@ -152,16 +152,18 @@ SweepRun run_of_sweep(const LoadedCase& loaded, const SweepSpec& spec, long numb
 
 Sweep run_sweep(const LoadedCase& loaded, const SweepProgress& progress, const Judge& judged_by) {
   constexpr double patience = 20, least_silence = 60;
+  constexpr long models_checked = 250;
   Sweep sweep;
   sweep.loaded = loaded;
   sweep.spec = sweep_of(loaded.spec);
   const SweepSpec& spec = sweep.spec;
-  // A case that cannot be varied is told at once.
-  load_case(with(loaded.source, model_overrides(loaded.spec, spec.seed, 0)));
-
   WorkerJobs jobs;
   for (long first = 0; first < spec.cases; first += runs_of_a_model)
     jobs.lines.push_back(static_cast<std::size_t>(std::min(runs_of_a_model, spec.cases - first)));
+  // A case that cannot be varied is told at once.
+  for (long model = 0; model < std::min(std::ssize(jobs.lines), models_checked); ++model)
+    load_case(with(loaded.source, model_overrides(loaded.spec, spec.seed, model)));
+
   jobs.longest_silence = std::max(least_silence, patience * spec.time_limit);
   jobs.work = [&](std::size_t job, std::size_t first, const TakeLine& take) {
     const Model model(loaded, spec, static_cast<long>(job), judged_by);
