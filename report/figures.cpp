@@ -52,14 +52,17 @@ Series points(const std::string& name, std::vector<double> x, std::vector<double
 /// Where a run failed: what is missing of it is shaded, so that its curves do not look like the whole.
 void mark_ending(const Run& run, Panel& panel) {
   const Trajectory& trajectory = run.trajectory;
-  const double end = run.loaded.spec.time.end;
   if (trajectory.outcome == Outcome::completed) return;
+  // No more than half is left to what is missing, so that a run that failed at once can be read.
+  const double whole = run.loaded.spec.time.end;
+  const double end = trajectory.end_time > 0 ? std::min(whole, 2 * trajectory.end_time) : whole;
   panel.x.range = {0, end};
   Rule missing;
   missing.upright = true;
   missing.from = std::min(trajectory.end_time, end);
   missing.to = end;
-  missing.label = fmt::format("{} at {:.3g} s", word(trajectory.outcome), trajectory.end_time);
+  missing.label =
+      fmt::format("{} at {:.3g} s of {:.3g} s", word(trajectory.outcome), trajectory.end_time, whole);
   missing.color = Color::hex(0xA3210F);
   panel.rules.push_back(std::move(missing));
 }

@@ -254,10 +254,13 @@ TEST(Figures, OfARunThatFailedShowWhereItEnded) {
       ASSERT_EQ(panel.rules.size(), 1U) << figure.name;
       EXPECT_EQ(panel.rules[0].from, 0.6);
       EXPECT_EQ(panel.rules[0].to, 1);
-      EXPECT_EQ(panel.rules[0].label, "unstable at 0.6 s");
+      EXPECT_EQ(panel.rules[0].label, "unstable at 0.6 s of 1 s");
       EXPECT_EQ(panel.x.range, (std::array<double, 2>{0, 1})) << "what is missing must be seen";
     }
   }
+  run.trajectory.end_time = 0.01;
+  EXPECT_EQ(figures(run, {})[0].plot.panels[0].x.range, (std::array<double, 2>{0, 0.02})) << "or nothing is";
+  run.trajectory.end_time = 0.6;
   const std::string page = to_page(evaluate(run, {}), {});
   const std::string mark = "Only the 0.6 s of 1 s before the run ended (unstable)";
   long marks = 0;

@@ -102,7 +102,8 @@ TEST(SweepReport, SharesAreOfAllAndOfEachMethod) {
   EXPECT_EQ(json["sweep"]["seed"], 1);
   EXPECT_EQ(json["all_criteria_met"], true);
   double bars = 0;
-  for (const Bar& bar : sweep_figures(sweep)[0].plot.panels[0].bars) bars += bar.x[1] - bar.x[0];
+  const std::vector<Figure> figures = sweep_figures(sweep);
+  for (const Bar& bar : figures[0].plot.panels[0].bars) bars += bar.x[1] - bar.x[0];
   EXPECT_NEAR(bars, 300, 1e-9) << "each of three rows is 100 % long";
 }
 
