@@ -42,6 +42,11 @@ double row_height(const PlotSizes& sizes) {
 
 std::vector<Point> data_samples(const Panel& panel, const PanelLayout& layout, double apart) {
   std::vector<Point> result;
+  for (const Bar& bar : panel.bars) {
+    const Rect area = bar_area(bar, layout);
+    for (double y = area.top; y < area.bottom; y += apart)
+      for (double x = area.left; x < area.right; x += apart) result.emplace_back(x, y);
+  }
   for (const Series& series : panel.series) {
     const std::vector<Point> points = pixels(series, layout);
     for (std::size_t i = 0; i < points.size(); ++i) {

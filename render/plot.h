@@ -31,7 +31,8 @@ struct Axis {
   std::optional<std::array<double, 2>> range;  ///< lo < hi; default: the data's with a small margin
   bool zero_line = false;                      ///< draws a line at 0, where that is in the range
   Scale scale = Scale::linear;
-  std::vector<double> ticks = {};  ///< marked and labelled instead of round values; ascending
+  std::vector<double> ticks = {};             ///< marked and labelled instead of round values; ascending
+  std::vector<std::string> tick_labels = {};  ///< one for each of `ticks`, instead of its value; or none
 };
 
 /// A value worth knowing along one axis, below the series: a line, or a shaded band between two values. It
@@ -45,6 +46,14 @@ struct Rule {
   Dash dash = Dash::solid;     ///< of a line
 };
 
+/// A filled rectangle between two values of x and two of y, below the series. It has no part in the ranges of
+/// the axes, and is drawn as far as it is in them.
+struct Bar {
+  std::array<double, 2> x;
+  std::array<double, 2> y;
+  Color color;
+};
+
 /// One coordinate system. Series are drawn in order, the last on top.
 struct Panel {
   std::string title;  ///< small, above the panel; may be empty
@@ -52,6 +61,7 @@ struct Panel {
   Axis y;
   std::vector<Series> series;
   std::vector<Rule> rules;
+  std::vector<Bar> bars = {};
   double height_share = 1;      ///< of the height, relative to the other panels, > 0
   bool equal_axes = false;      ///< one unit is as long along x as along y; linear axes only
   bool shares_x_below = false;  ///< has the x axis of the panel below, which alone shows its labels

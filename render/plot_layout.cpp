@@ -122,6 +122,14 @@ void check(const Plot& plot) {
       if (std::isnan(rule.from) || std::isnan(rule.to))
         throw OutputError(
             fmt::format("plot: rule '{}' from {} to {}: must be numbers", rule.label, rule.from, rule.to));
+    for (const Bar& bar : panel.bars)
+      for (const double end : {bar.x[0], bar.x[1], bar.y[0], bar.y[1]})
+        if (!std::isfinite(end))
+          throw OutputError(fmt::format("plot: a bar that ends at {}: must be a finite number", end));
+    for (const Axis* axis : {&panel.x, &panel.y})
+      if (!axis->tick_labels.empty() && axis->tick_labels.size() != axis->ticks.size())
+        throw OutputError(fmt::format("plot: {} labels for {} ticks: must be one each",
+                                      axis->tick_labels.size(), axis->ticks.size()));
     if (panel.equal_axes && (panel.x.scale != Scale::linear || panel.y.scale != Scale::linear))
       throw OutputError("plot: equal axes must both be linear");
     if (!(panel.height_share > 0))
@@ -133,13 +141,14 @@ void check(const Plot& plot) {
 }
 
 // Those of the given values that are inside; where a label would overlap the one before, it is empty.
-AxisTicks given_ticks(const AxisMap& axis, const std::vector<double>& given, const TickRoom& room) {
+AxisTicks given_ticks(const AxisMap& axis, const Axis& given, const TickRoom& room) {
   AxisTicks ticks;
   double free_from = -std::numeric_limits<double>::infinity();
-  for (const double value : given) {
+  for (std::size_t k = 0; k < given.ticks.size(); ++k) {
+    const double value = given.ticks[k];
     const double at = std::abs(axis(value) - axis.start);
     if (!(value >= axis.range.lo && value <= axis.range.hi)) continue;
-    std::string label = fmt::format("{:g}", value);
+    std::string label = given.tick_labels.empty() ? fmt::format("{:g}", value) : given.tick_labels[k];
     const double half = room.extent(label) / 2;
     if (at - half < free_from)
       label.clear();
@@ -262,8 +271,8 @@ class Stack {
     }
   }
 
-  static AxisTicks ticks(const AxisMap& axis, const std::vector<double>& given, const TickRoom& room) {
-    if (!given.empty()) return given_ticks(axis, given, room);
+  static AxisTicks ticks(const AxisMap& axis, const Axis& given, const TickRoom& room) {
+    if (!given.ticks.empty()) return given_ticks(axis, given, room);
     return axis.scale == Scale::linear ? axis_ticks(axis.range.lo, axis.range.hi, room)
                                        : log_axis_ticks(axis.range.lo, axis.range.hi, room);
   }
@@ -273,10 +282,10 @@ class Stack {
     panel.y = {ranges.y, panel.frame.bottom, panel.frame.top, ranges.y_scale};
     const auto wide = [&](std::string_view label) { return font_.measure(label, sizes_.tick).width; };
     const auto high = [&](std::string_view) { return sizes_.tick.size; };
-    panel.x_ticks = ticks(panel.x, x_axis.ticks,
-                          {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
-    panel.y_ticks = ticks(panel.y, y_axis.ticks,
-                          {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
+    panel.x_ticks =
+        ticks(panel.x, x_axis, {panel.frame.width(), 5.5 * sizes_.tick.size, 0.6 * sizes_.tick.size, wide});
+    panel.y_ticks =
+        ticks(panel.y, y_axis, {panel.frame.height(), 2.6 * sizes_.tick.size, 0.2 * sizes_.tick.size, high});
   }
 
   const Plot& plot_;
@@ -343,6 +352,14 @@ std::vector<Point> pixels(const Series& series, const PanelLayout& panel) {
     points[i] = p.allFinite() ? Point(p.cwiseMax(-far).cwiseMin(far)) : p;
   }
   return points;
+}
+
+Rect bar_area(const Bar& bar, const PanelLayout& panel) {
+  const auto [left, right] = std::minmax({panel.x(bar.x[0]), panel.x(bar.x[1])});
+  const auto [top, bottom] = std::minmax({panel.y(bar.y[0]), panel.y(bar.y[1])});
+  const Rect area{std::max(left, panel.frame.left), std::max(top, panel.frame.top),
+                  std::min(right, panel.frame.right), std::min(bottom, panel.frame.bottom)};
+  return area.left < area.right && area.top < area.bottom ? area : Rect{};
 }
 
 std::string exponent_label(int exponent) {

@@ -78,11 +78,15 @@ struct PlotLayout {
 
 /// Where everything in a plot goes. Needs the font, but nothing that draws.
 /// Throws OutputError when a series' x and y differ in number, a given range is not one or has no place on a
-/// logarithmic axis, equal axes are not linear, a rule is not a number, or the plot is too small.
+/// logarithmic axis, equal axes are not linear, a rule or bar is not a number, ticks have labels but not one
+/// each, or the plot is too small.
 PlotLayout plot_layout(const Plot& plot, const Font& font);
 
 /// Points of a series in pixels; those that cannot be drawn are not finite.
 std::vector<Point> pixels(const Series& series, const PanelLayout& panel);
+
+/// The part of a bar that is in its panel, in pixels; empty where there is none.
+Rect bar_area(const Bar& bar, const PanelLayout& panel);
 
 /// "×10^{−5}" for -5, empty for 0.
 std::string exponent_label(int exponent);

@@ -37,6 +37,8 @@ class PanelDrawing {
     for (const RuleLayout& rule : layout_.rules) band(rule);
     grid();
     painter_.clip(layout_.frame);
+    for (const Bar& bar : panel_.bars)
+      if (const Rect area = bar_area(bar, layout_); area.width() > 0) painter_.fill(area, bar.color);
     for (const RuleLayout& rule : layout_.rules) line(rule);
     for (std::size_t i = 0; i < panel_.series.size(); ++i)
       series(panel_.series[i], pixels(panel_.series[i], layout_), color_of(panel_, i));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumb {
 namespace {
 
@@ -47,6 +49,31 @@ Series points(const std::string& name, std::vector<double> x, std::vector<double
   return series;
 }
 
+/// Where a run failed: what is missing of it is shaded, so that its curves do not look like the whole.
+void mark_ending(const Run& run, Panel& panel) {
+  const Trajectory& trajectory = run.trajectory;
+  if (trajectory.outcome == Outcome::completed) return;
+  // No more than half is left to what is missing, so that a run that failed at once can be read.
+  const double whole = run.loaded.spec.time.end;
+  const double end = trajectory.end_time > 0 ? std::min(whole, 2 * trajectory.end_time) : whole;
+  panel.x.range = {0, end};
+  Rule missing;
+  missing.upright = true;
+  missing.from = std::min(trajectory.end_time, end);
+  missing.to = end;
+  missing.label =
+      fmt::format("{} at {:.3g} s of {:.3g} s", word(trajectory.outcome), trajectory.end_time, whole);
+  missing.color = Color::hex(0xA3210F);
+  panel.rules.push_back(std::move(missing));
+}
+
+/// A title that says so too, as not every figure has an axis of time.
+std::string title_of(const Run& run, const std::string& title) {
+  const Trajectory& trajectory = run.trajectory;
+  if (trajectory.outcome == Outcome::completed) return title;
+  return fmt::format("{} – only to {:.3g} s: {}", title, trajectory.end_time, word(trajectory.outcome));
+}
+
 Panel difference_panel(const std::vector<const SeriesError*>& errors) {
   Panel panel;
   panel.height_share = difference_share;
@@ -88,13 +115,17 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
 
   Figure figure;
   figure.name = spec.name;
-  figure.title = spec.title.empty() ? spec.name : spec.title;
+  figure.title = title_of(run, spec.title.empty() ? spec.name : spec.title);
   figure.alt = alt_text(spec, compared);
   figure.plot.title = figure.title;
   figure.plot.height = spec.equal_axes ? 1800 : 1200;
   panel.shares_x_below = spec.x == "t" && !compared.empty();
+  if (spec.x == "t") mark_ending(run, panel);
   figure.plot.panels.push_back(std::move(panel));
-  if (!compared.empty()) figure.plot.panels.push_back(difference_panel(compared));
+  if (!compared.empty()) {
+    figure.plot.panels.push_back(difference_panel(compared));
+    mark_ending(run, figure.plot.panels.back());
+  }
   return figure;
 }
 
@@ -128,12 +159,14 @@ Figure energy_figure(const Run& run) {
 
   Figure figure;
   figure.name = energy_figure_name;
-  figure.title = "Energy over time";
+  figure.title = title_of(run, "Energy over time");
   figure.alt = fmt::format(
       "Plot of kinetic, axial, bending, potential and total energy over time. The total drifts by at most "
       "{:.3g} J.",
       trajectory.energy_drift());
   figure.plot.title = figure.title;
+  mark_ending(run, energies);
+  mark_ending(run, drift);
   figure.plot.panels = {std::move(energies), std::move(drift)};
   return figure;
 }

@@ -65,6 +65,9 @@ std::string to_json(const Results& results) {
   json["schema_version"] = results_version;
   json["title"] = run.loaded.spec.title;
   json["headline"] = headline(results);
+  json["outcome"] = word(results.outcome);
+  json["outcome_reason"] = outcome_reason(results);
+  json["complete"] = results.solved();
   json["all_criteria_met"] = results.solved() && all_passed(results.verdicts);
   json["verdicts"] = Json::array();
   for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));

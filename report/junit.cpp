@@ -37,7 +37,9 @@ std::string to_junit(const Results& results) {
                            {{fmt::format("{}, {}", results.run.loaded.spec.method.name,
                                          counted(t.elements, "element", "elements")),
                              results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
-                             std::max(0.0, t.solve_seconds)}}});
+                             std::max(0.0, t.solve_seconds)}},
+                           {{"outcome", std::string(word(results.outcome))},
+                            {"outcome_reason", outcome_reason(results)}}});
   return junit_xml(results.run.loaded.spec.title, all);
 }
 
@@ -57,6 +59,13 @@ std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& al
     xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
                        suite.name, suite.cases.size(), count(suite, VerdictStatus::failed),
                        count(suite, VerdictStatus::not_run));
+    if (!suite.properties.empty()) {
+      xml += "    <properties>\n";
+      for (const auto& [property, value] : suite.properties)
+        xml += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", escape_xml(property),
+                           escape_xml(value));
+      xml += "    </properties>\n";
+    }
     for (const JunitCase& test : suite.cases) {
       xml += fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", title, suite.name,
                          escape_xml(test.name), test.seconds);

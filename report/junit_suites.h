@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/verdict.h"
@@ -18,6 +19,7 @@ struct JunitCase {
 struct JunitSuite {
   std::string name;
   std::vector<JunitCase> cases;
+  std::vector<std::pair<std::string, std::string>> properties = {};  ///< names and values
 };
 
 /// A suite for each kind of verdict that there is.

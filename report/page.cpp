@@ -89,7 +89,7 @@ data cost_rows(const Results& results) {
   const Counters& c = t.counters;
   const auto count = [](long n) { return n < 0 ? std::string("not counted") : std::to_string(n); };
   data rows{data::type::list};
-  rows.push_back(pair_row("outcome", std::string(word(t.outcome))));
+  rows.push_back(pair_row("outcome", fmt::format("{}: {}", word(results.outcome), outcome_reason(results))));
   rows.push_back(pair_row("method", results.run.loaded.spec.method.name));
   rows.push_back(pair_row("elements", std::to_string(t.elements)));
   rows.push_back(pair_row("time reached", number(t.end_time) + " s"));
@@ -170,6 +170,12 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["headline"] = headline(results);
   page["good"] = results.solved() && all_passed(results.verdicts);
   page["solved"] = results.solved();
+  page["ended_early"] = results.solved()
+                            ? std::string()
+                            : fmt::format(
+                                  "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
+                                  "shown is how it failed, no result of the case.",
+                                  trajectory.end_time, spec.time.end, word(trajectory.outcome));
   page["message"] = trajectory.message;
   page["outcome"] = std::string(word(trajectory.outcome));
   page["has_verdicts"] = !results.verdicts.empty();

@@ -27,10 +27,55 @@ std::string drift_in_words(const Trajectory& trajectory) {
       trajectory.kinetic_scale() == trajectory.energies.front().kinetic ? "first" : "greatest");
 }
 
+namespace {
+
+long count_of(const std::vector<Verdict>& verdicts, VerdictStatus status) {
+  return std::count_if(verdicts.begin(), verdicts.end(),
+                       [&](const Verdict& verdict) { return verdict.status == status; });
+}
+
+Outcome judged_outcome(const Run& run, const std::vector<Verdict>& verdicts) {
+  if (run.trajectory.outcome != Outcome::completed) return run.trajectory.outcome;
+  if (count_of(verdicts, VerdictStatus::failed) > 0) return Outcome::inaccurate;
+  return !verdicts.empty() && all_passed(verdicts) ? Outcome::accurate : Outcome::completed;
+}
+
+/// The outcome as the first sentence of a headline.
+std::string outcome_in_words(const Results& results) {
+  if (results.outcome == Outcome::accurate) return "Accurate.";
+  if (results.outcome == Outcome::inaccurate) return fmt::format("Inaccurate: {}.", outcome_reason(results));
+  return fmt::format("Completed, but {}.", outcome_reason(results));
+}
+
+}  // namespace
+
 Results evaluate(const Run& run, const Stages& stages, const Study* study) {
   Results results{run, series_errors(run), {}, stages, study};
   results.verdicts = verdicts(run, results.errors);
+  results.outcome = judged_outcome(run, results.verdicts);
   return results;
+}
+
+std::string outcome_reason(const Results& results) {
+  const std::vector<Verdict>& all = results.verdicts;
+  switch (results.outcome) {
+    case Outcome::accurate:
+      return "every criterion is met";
+    case Outcome::inaccurate: {
+      const auto first = std::find_if(all.begin(), all.end(), [](const Verdict& verdict) {
+        return verdict.status == VerdictStatus::failed;
+      });
+      const long more = count_of(all, VerdictStatus::failed) - 1;
+      return more == 0 ? first->name + " is not met"
+                       : fmt::format("{} and {} are not met", first->name,
+                                     counted(more, "other criterion", "other criteria"));
+    }
+    case Outcome::completed:
+      return count_of(all, VerdictStatus::passed) == 0 ? "not held against anything"
+                                                       : "not held against every reference";
+    default:
+      return results.run.trajectory.message;
+  }
 }
 
 std::string headline(const Results& results) {
@@ -38,22 +83,18 @@ std::string headline(const Results& results) {
   if (!results.solved())
     return fmt::format("The integration did not finish ({}): {}.", word(trajectory.outcome),
                        trajectory.message);
-  const auto count_of = [&](VerdictStatus status) {
-    return std::count_if(results.verdicts.begin(), results.verdicts.end(),
-                         [&](const Verdict& v) { return v.status == status; });
-  };
-  const auto all = std::ssize(results.verdicts), failed = count_of(VerdictStatus::failed),
-             not_run = count_of(VerdictStatus::not_run);
-  std::string text;
+  const auto all = std::ssize(results.verdicts), failed = count_of(results.verdicts, VerdictStatus::failed),
+             not_run = count_of(results.verdicts, VerdictStatus::not_run);
+  std::string text = outcome_in_words(results) + " ";
   if (all == 0)
-    text = "The case names no criterion, so nothing is claimed";
+    text += "The case names no criterion, so nothing is claimed";
   else if (failed + not_run == 0)
-    text = all == 1 ? "The one criterion is met" : fmt::format("All {} criteria are met", all);
+    text += all == 1 ? "The one criterion is met" : fmt::format("All {} criteria are met", all);
   else if (not_run == 0)
-    text = fmt::format("{} of {} not met", failed, counted(all, "criterion", "criteria"));
+    text += fmt::format("{} of {} not met", failed, counted(all, "criterion", "criteria"));
   else
-    text = fmt::format("Of {}, {} not met and {} not evaluated", counted(all, "criterion", "criteria"),
-                       failed, not_run);
+    text += fmt::format("Of {}, {} not met and {} not evaluated", counted(all, "criterion", "criteria"),
+                        failed, not_run);
 
   const Run& run = results.run;
   std::string distances;

@@ -21,6 +21,9 @@ struct Results {
   std::vector<Verdict> verdicts;  ///< one for each of `errors`
   Stages stages;                  ///< those before the report itself
   const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
+  /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
+  /// not met; else how the integration itself ended.
+  Outcome outcome = Outcome::not_run;
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };
@@ -34,6 +37,10 @@ std::string counted(long n, const std::string& one, const std::string& many);
 /// "cut 12 times, to 3e-05 s at the shortest", of a run whose steps were tried and repeated shorter; else
 /// empty.
 std::string step_cuts(const Trajectory& trajectory);
+
+/// Why the outcome is what it is: "every criterion is met", "known: tip.y is not met", "not held against
+/// anything", or what ended the integration.
+std::string outcome_reason(const Results& results);
 
 /// The energy drift relative to what it is held against: "3.4e-14 of the first kinetic energy".
 std::string drift_in_words(const Trajectory& trajectory);

@@ -34,8 +34,9 @@ std::string verdict_table(const std::vector<Verdict>& verdicts) {
 std::string to_summary(const Results& results) {
   const Run& run = results.run;
   const Trajectory& t = run.trajectory;
-  std::string text = fmt::format("# {}\n\n{}\n\n", escape_markdown(run.loaded.spec.title),
-                                 escape_markdown(headline(results)));
+  std::string text = fmt::format("# {}\n\n{}\n\nOutcome: **{}**, {}.\n\n",
+                                 escape_markdown(run.loaded.spec.title), escape_markdown(headline(results)),
+                                 word(results.outcome), escape_markdown(outcome_reason(results)));
   text += verdict_table(results.verdicts);
   text += fmt::format(
       "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",

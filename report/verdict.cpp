@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumb {
 
@@ -70,10 +71,13 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
       verdict.detail =
           fmt::format("the run ended at {:.4g} s and reached {} of {} reference times",
                       run.trajectory.end_time, error.times.size(), error.times.size() + error.missed);
+    } else if (run.trajectory.outcome != Outcome::completed) {
+      // What came before may be right by chance; a run that failed vouches for nothing.
+      verdict.detail = fmt::format("the run ended early, {} at {:.4g} s", word(run.trajectory.outcome),
+                                   run.trajectory.end_time);
     } else {
       verdict.value = use.norm == Norm::max ? error.max : error.rms;
-      // A distance that is not a number must not pass.
-      verdict.status = verdict.value <= verdict.limit ? VerdictStatus::passed : VerdictStatus::failed;
+      verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
       verdict.detail = where(error, run);
     }
     verdict.message = verdict.status == VerdictStatus::not_run
@@ -83,6 +87,10 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     result.push_back(std::move(verdict));
   }
   return result;
+}
+
+bool within(double value, double limit) {
+  return std::isfinite(value) && value >= 0 && value <= limit;
 }
 
 bool all_passed(const std::vector<Verdict>& verdicts) {

@@ -36,8 +36,11 @@ std::string_view word(VerdictKind);
 std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed"
 
 /// A verdict for each comparison of the case: validation against published figures, verification against
-/// computed ones. Not run where the run did not reach every reference time.
+/// computed ones. Not run where the run did not complete or did not reach every reference time.
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors);
+
+/// True for a distance that is a finite number of at least 0 and no greater than its limit.
+bool within(double value, double limit);
 
 bool all_passed(const std::vector<Verdict>& verdicts);
 

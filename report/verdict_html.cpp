@@ -40,7 +40,8 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
     row["criterion"] = verdict->criterion;
     row["found"] =
         verdict->status == VerdictStatus::not_run ? "not run" : number(verdict->value) + " " + verdict->unit;
-    row["share"] = verdict->status == VerdictStatus::not_run
+    // Where nothing at all is allowed, there is no share of it.
+    row["share"] = verdict->status == VerdictStatus::not_run || !(verdict->limit > 0)
                        ? "–"
                        : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
     row["detail"] = verdict->detail;

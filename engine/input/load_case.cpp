@@ -43,6 +43,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   const TableReader scene = root.table("scene");
   TableReader study = root.table("study");
   const bool has_work_precision = study.has("work_precision");
+  const bool has_sweep = study.has("sweep");
   root.finish();
   study.finish();
 
@@ -65,6 +66,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.scene = read_scene(scene, spec.time);
   if (has_work_precision)
     spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+  if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
 
   loaded.references = std::move(read.references);
   loaded.source = {file, overrides, std::move(read.texts)};

@@ -23,6 +23,10 @@ constexpr double same_time = 1e-9;
 /// finite.
 constexpr long steps_between_looks = 64;
 
+/// Elements whose forces were evaluated between two looks at the clock, some milliseconds' worth: where steps
+/// are long, as on fine meshes, sixteen of them would go far beyond the time allowed.
+constexpr long work_between_clocks = 20000;
+
 void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
   trajectory.times.push_back(t);
   trajectory.q.push_back(state.q);
@@ -95,6 +99,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   std::size_t next = 1;
   long failed_step = 0;
   long rejected = 0;
+  long evaluations_at_clock = 0;
   while (last.ok() && next < outputs.size()) {
     stop_if_interrupted();
     const double before = integrator->state().t;
@@ -132,9 +137,13 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
       }
     }
     if (progress && dynamics.counters.steps % 256 == 0) progress(now.t);
-    if (next < outputs.size() && look && elapsed() > time_limit) {
-      last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
-      failed_step = dynamics.counters.steps;
+    const long work = (dynamics.counters.force_evaluations - evaluations_at_clock) * cable.elements();
+    if (next < outputs.size() && (look || work > work_between_clocks)) {
+      evaluations_at_clock = dynamics.counters.force_evaluations;
+      if (elapsed() > time_limit) {
+        last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
+        failed_step = dynamics.counters.steps;
+      }
     }
   }
   result.solve_seconds = elapsed();

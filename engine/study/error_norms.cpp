@@ -94,7 +94,8 @@ ErrorNorms error_norms(const Trajectory& run, const Trajectory& reference) {
   for (std::size_t k = 0; k < run.times.size(); ++k) {
     const Eigen::VectorXd &a = run.q[k], &b = reference.q[k];
     const double tip = (a.segment<3>(a.size() - 6) - b.segment<3>(b.size() - 6)).norm();
-    worst = std::max(worst, tip);
+    // One that is not a number stays.
+    if (!(tip <= worst) && !std::isnan(worst)) worst = tip;
     tip_squares += tip * tip;
     for (const PairOfSamples& pair : samples)
       curve_squares += pair.weight * (pair.a.position(a) - pair.b.position(b)).squaredNorm();

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "engine/input/case.h"
+#include "engine/input/case_source.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/output/provenance.h"
 
@@ -14,25 +13,30 @@ namespace plumb {
 struct SweepRun {
   long number = 0;                     ///< case k of the seed
   std::vector<std::string> overrides;  ///< what makes it of the file's case, as --set takes them
-  Outcome outcome = Outcome::not_run;  ///< never `completed`
+  std::string method;
+  Outcome outcome = Outcome::not_run;  ///< `completed` only where no reference could be had
   std::string message;
-  double error = -1;         ///< greatest distance of a node to the reference that judged it, m
-  double second_error = -1;  ///< the same to another reference, made by an unlike method, m; -1: none
-  double judged_until = -1;  ///< s
+  double error = -1;         ///< greatest distance of a node to the reference that judged it, m; -1: none
+  double second_error = -1;  ///< the same to a reference by an unlike method, m; -1: none
+  double disagreement = -1;  ///< greatest distance of a node between these references, m; -1: none
+  double judged_until = -1;  ///< s, up to which the references agree; -1: not judged
+  double seconds = -1;       ///< that the time loop took
   bool finite = true;        ///< no number of the trajectory is infinite or not a number
+  std::string fault;         ///< "crashed (signal 11)", "hung", "threw: …"; empty: none
+
+  /// Ended in an outcome that a judged run can have: neither `not_run` nor `completed`.
+  bool judged() const;
+  /// Accurate, although it is further from the second reference than the tolerance and what the references
+  /// differ by, or has no such distance.
+  bool wrongly_accurate(double tolerance) const;
 };
 
 /// Random cases over methods, steps, parameters, meshes, supports and strain models.
 struct Sweep {
-  std::string title;
-  long seed = 0;
-  double tolerance = 0;  ///< m
-  std::vector<SweepRun> runs;
+  LoadedCase loaded;
+  SweepSpec spec;
+  std::vector<SweepRun> runs;  ///< in the order of their numbers
   Provenance provenance;
-
-  /// Runs that ended accurate although the second reference is further than the tolerance and what the
-  /// references differ by.
-  std::vector<std::size_t> wrongly_accurate;
 };
 
 }  // namespace plumb

@@ -47,5 +47,9 @@ const StudyKind& kind_of_study_json(const NamedText& json);
 
 ExitStatus work_precision_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
                                 const Options& options, Talk& talk);
+ExitStatus sweep_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages, const Options& options,
+                       Talk& talk);
+ExitStatus sweep_report(const std::string& json, OutputFolder& folder, Stages& stages, const Options& options,
+                        Talk& talk);
 
 }  // namespace plumb

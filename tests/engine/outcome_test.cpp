@@ -79,6 +79,18 @@ TEST(Outcome, EnergyBeyondItsBoundIsUnstableAndWithinItIsNot) {
   EXPECT_EQ(with_growth(1.01 * energy_growth_limit), Outcome::unstable);
 }
 
+TEST(Outcome, TheTimeAllowedIsLookedAtAfterEachStepThatIsLong) {
+  constexpr double none = 1e-9;
+  for (const char* name : {"rk4", "generalized-alpha"}) {
+    Case spec = pendulum(5, 20000);
+    spec.method = method(name, 1e-8);
+    spec.time = {1, 1};
+    const Trajectory trajectory = integrate(spec, {}, none);
+    EXPECT_EQ(trajectory.outcome, Outcome::out_of_time) << trajectory.message;
+    EXPECT_EQ(trajectory.counters.steps, 1) << name << " went on for " << trajectory.solve_seconds << " s";
+  }
+}
+
 TEST(Outcome, NothingIsClaimedBeforeARun) {
   const Trajectory trajectory;
   EXPECT_EQ(trajectory.outcome, Outcome::not_run);

@@ -50,6 +50,18 @@ TEST(StudyErrorNorms, AShiftOfTheWholeCableIsThatDistanceInEveryNorm) {
   }
 }
 
+TEST(StudyErrorNorms, APlaceThatIsNotANumberLeavesNoDistanceThatIsOne) {
+  const Trajectory reference = cubic_trajectory(2);
+  for (const std::size_t output : {0U, 1U, 2U}) {
+    Trajectory run = reference;
+    run.q[output][13] = std::nan("");
+    const ErrorNorms norms = error_norms(run, reference);
+    EXPECT_TRUE(std::isnan(norms.tip_max)) << "output " << output << ": " << norms.tip_max;
+    EXPECT_TRUE(std::isnan(norms.tip_rms)) << norms.tip_rms;
+    EXPECT_TRUE(std::isnan(norms.curve)) << norms.curve;
+  }
+}
+
 TEST(StudyErrorNorms, TheSameCubicCurveOnAnotherMeshIsNoDistanceAway) {
   for (const int elements : {1, 2, 3, 7})
     for (const int other : {1, 4, 5, 7}) {

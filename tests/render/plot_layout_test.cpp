@@ -251,6 +251,51 @@ TEST(PlotLayout, GivenTicksReplaceTheRoundOnesWhereTheyAreInside) {
   EXPECT_EQ(panel.x_ticks.labels, (std::vector<std::string>{"4", "", "8", "16", "64"}));
 }
 
+TEST(PlotLayout, TicksMayHaveNamesForWhichRoomIsMade) {
+  Plot plot;
+  plot.panels.resize(1);
+  plot.panels[0].y.range = {-1, 3};
+  plot.panels[0].y.ticks = {0, 1, 5};
+  const double narrow = plot_layout(plot, Font()).panels[0].frame.left;
+  plot.panels[0].y.tick_labels = {"a name of some length", "b", "outside"};
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(panel.y_ticks.labels, (std::vector<std::string>{"a name of some length", "b"}));
+  EXPECT_GT(panel.frame.left, narrow + 200);
+}
+
+Plot bars() {
+  Plot plot;
+  plot.panels.resize(1);
+  Panel& panel = plot.panels[0];
+  panel.x.range = {0, 10};
+  panel.y.range = {0, 2};
+  panel.bars = {{{0, 8}, {0.5, 1.5}, palette[0]}, {{8, 12}, {0.5, 1.5}, palette[1]}};
+  return plot;
+}
+
+TEST(PlotLayout, ABarEndsAtItsValuesOrAtThePanel) {
+  const Plot plot = bars();
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  const Rect inner = bar_area(plot.panels[0].bars[0], panel);
+  EXPECT_DOUBLE_EQ(inner.left, panel.frame.left);
+  EXPECT_DOUBLE_EQ(inner.right, panel.x(8));
+  EXPECT_DOUBLE_EQ(inner.top, panel.y(1.5));
+  EXPECT_DOUBLE_EQ(inner.bottom, panel.y(0.5));
+  EXPECT_DOUBLE_EQ(bar_area(plot.panels[0].bars[1], panel).right, panel.frame.right);
+  EXPECT_EQ(bar_area({{11, 12}, {0, 1}, {}}, panel).width(), 0) << "outside";
+}
+
+TEST(PlotLayout, LegendCoversNoBar) {
+  Plot plot = bars();
+  plot.panels[0].series.resize(1);
+  plot.panels[0].series[0].label = "accurate";
+  plot.panels[0].series[0].line_width = 0;
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  ASSERT_TRUE(panel.legend.has_value());
+  const Rect bar = bar_area(plot.panels[0].bars[0], panel);
+  EXPECT_TRUE(panel.legend->box.bottom <= bar.top || panel.legend->box.top >= bar.bottom);
+}
+
 TEST(PlotLayout, PowersOfTenAreWrittenAsSuperscripts) {
   EXPECT_EQ(exponent_label(-5), "\u00d710^{\u22125}");
   EXPECT_EQ(exponent_label(7), "\u00d710^{7}");
@@ -288,6 +333,13 @@ TEST(PlotLayout, WhatCannotBeDrawnIsRefused) {
   plot = two_panels(1, 1);
   plot.panels[0].rules = {floor_at(std::nan(""))};
   EXPECT_THROW(plot_layout(plot, font), OutputError) << "rule at no number";
+  plot = two_panels(1, 1);
+  plot.panels[0].bars = {{{0, std::nan("")}, {0, 1}, {}}};
+  EXPECT_THROW(plot_layout(plot, font), OutputError) << "bar that ends at no number";
+  plot = two_panels(1, 1);
+  plot.panels[0].y.ticks = {0, 1};
+  plot.panels[0].y.tick_labels = {"one"};
+  EXPECT_THROW(plot_layout(plot, font), OutputError) << "a name for one of two ticks";
   plot = two_panels(1, 1);
   plot.width = 100;
   plot.height = 80;

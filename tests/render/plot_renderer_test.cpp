@@ -276,6 +276,21 @@ TEST_F(PlotRendererTest, BandIsShadedBelowTheSeriesAndLineOfARuleIsDrawn) {
   EXPECT_LT(at(image, {panel.x(6.03), panel.y(0.77)})[0], 160) << "the upright line";
 }
 
+TEST_F(PlotRendererTest, ABarIsFilledBelowTheSeries) {
+  Series line;
+  line.x = {2, 8};
+  line.y = {0.1, 0.1};
+  line.line_width = 2;
+  Plot plot = small(line);
+  plot.panels[0].bars = {{{1, 5}, {0.05, 0.3}, Color::hex(0x009E73)}};
+  const Image image = renderer_.draw(plot);
+  const PanelLayout panel = plot_layout(plot, Font()).panels[0];
+  EXPECT_EQ(at(image, {panel.x(3.3), panel.y(0.1)}), blue);
+  EXPECT_EQ(at(image, {panel.x(3.3), panel.y(0.2)}), (std::array<int, 3>{0, 0x9E, 0x73}));
+  EXPECT_NE(at(image, {panel.x(6.3), panel.y(0.2)}), (std::array<int, 3>{0, 0x9E, 0x73}));
+  EXPECT_NE(at(image, {panel.x(3.3), panel.y(0.4)}), (std::array<int, 3>{0, 0x9E, 0x73}));
+}
+
 // Work against error for many methods, as a study has it.
 Plot work_precision(int curves) {
   Plot plot;

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "report/base64.h"
 #include "report/case_json.h"
 #include "report/escape.h"
+#include "report/figures.h"
 #include "report/page.h"
 #include "report/results.h"
 #include "tests/report/made_run.h"
@@ -115,17 +117,156 @@ TEST(Verdict, OnlyPublishedFiguresValidate) {
 TEST(Headline, ClaimsOnlyWhatWasEvaluated) {
   plumb::Run run = run_with("a");
   EXPECT_EQ(headline(evaluate(run, {})),
-            "The one criterion is met: the run with 1 element is at most 0.1 m from the published figures "
-            "(at 3 of 3 times).");
+            "Accurate. The one criterion is met: the run with 1 element is at most 0.1 m from the published "
+            "figures (at 3 of 3 times).");
   run.loaded.spec.references[0].tolerance = 0.05;
-  EXPECT_EQ(headline(evaluate(run, {})),
-            "1 of 1 criterion not met: the run with 1 element is at most 0.1 m from the published figures "
-            "(at 3 of 3 times).");
+  EXPECT_EQ(
+      headline(evaluate(run, {})),
+      "Inaccurate: known: tip.y is not met. 1 of 1 criterion not met: the run with 1 element is at most "
+      "0.1 m from the published figures (at 3 of 3 times).");
   run.loaded.references[0].cable.length = 3;
-  EXPECT_EQ(headline(evaluate(run, {})), "Of 1 criterion, 0 not met and 1 not evaluated.");
+  EXPECT_EQ(headline(evaluate(run, {})),
+            "Completed, but not held against anything. Of 1 criterion, 0 not met and 1 not evaluated.");
   run.trajectory.outcome = Outcome::diverged;
   run.trajectory.message = "it broke";
   EXPECT_EQ(headline(evaluate(run, {})), "The integration did not finish (diverged): it broke.");
+}
+
+TEST(Outcome, OfARunThatCompletedIsWhatItsReferencesSay) {
+  plumb::Run run = run_with("a",
+                            "[[reference]]\nname = \"again\"\nfile = \"known.toml\"\ncompare = { y = "
+                            "\"tip.y\" }\ntolerance = 0.125\n");
+  EXPECT_EQ(evaluate(run, {}).outcome, Outcome::accurate);
+  EXPECT_EQ(outcome_reason(evaluate(run, {})), "every criterion is met");
+  run.loaded.spec.references[1].tolerance = 0.05;
+  EXPECT_EQ(evaluate(run, {}).outcome, Outcome::inaccurate);
+  EXPECT_EQ(outcome_reason(evaluate(run, {})), "again: tip.y is not met");
+  run.loaded.spec.references[0].tolerance = 0.05;
+  EXPECT_EQ(outcome_reason(evaluate(run, {})), "known: tip.y and 1 other criterion are not met");
+  run.loaded.spec.references[0].tolerance = run.loaded.spec.references[1].tolerance = 0.125;
+  run.loaded.references[0].cable.length = 3;
+  EXPECT_EQ(evaluate(run, {}).outcome, Outcome::completed) << "not all of its references were compared";
+  EXPECT_EQ(outcome_reason(evaluate(run, {})), "not held against every reference");
+  run.loaded.references[1].cable.length = 3;
+  EXPECT_EQ(evaluate(run, {}).outcome, Outcome::completed);
+  EXPECT_EQ(outcome_reason(evaluate(run, {})), "not held against anything");
+  run.loaded.references.clear();
+  run.loaded.spec.references.clear();
+  EXPECT_EQ(evaluate(run, {}).outcome, Outcome::completed);
+  EXPECT_EQ(headline(evaluate(run, {})),
+            "Completed, but not held against anything. The case names no criterion, so nothing is claimed.");
+}
+
+TEST(Outcome, OfARunThatFailedIsItsOwn) {
+  plumb::Run run = run_with("a");
+  for (const Outcome outcome : {Outcome::unstable, Outcome::diverged, Outcome::no_convergence,
+                                Outcome::singular, Outcome::out_of_time}) {
+    run.trajectory.outcome = outcome;
+    run.trajectory.message = "it broke";
+    EXPECT_EQ(evaluate(run, {}).outcome, outcome);
+    EXPECT_EQ(outcome_reason(evaluate(run, {})), "it broke");
+  }
+}
+
+TEST(Outcome, IsInEveryPartOfTheReport) {
+  plumb::Run run = run_with("a");
+  for (const auto& [tolerance, word] : {std::pair{0.125, "accurate"}, {0.05, "inaccurate"}}) {
+    run.loaded.spec.references[0].tolerance = tolerance;
+    const Results results = evaluate(run, {});
+    const nlohmann::json json = nlohmann::json::parse(to_json(results));
+    EXPECT_EQ(json["outcome"], word);
+    EXPECT_EQ(json["outcome_reason"], outcome_reason(results));
+    EXPECT_EQ(json["complete"], true);
+    EXPECT_EQ(json["solve"]["outcome"], "completed") << "what the integration alone can say";
+    EXPECT_NE(to_summary(results).find("Outcome: **" + std::string(word) + "**"), std::string::npos);
+    EXPECT_NE(to_junit(results).find("<property name=\"outcome\" value=\"" + std::string(word) + "\"/>"),
+              std::string::npos);
+    EXPECT_NE(to_page(results, {}).find(std::string(word) + ": "), std::string::npos);
+  }
+}
+
+TEST(Verdict, OfARunThatFailedIsNotRunEvenWhereItReachedEveryReferenceTime) {
+  plumb::Run run = run_with("a");
+  EXPECT_EQ(verdicts(run, series_errors(run))[0].status, VerdictStatus::passed);
+  run.trajectory.outcome = Outcome::unstable;
+  const std::vector<Verdict> found = verdicts(run, series_errors(run));
+  EXPECT_EQ(found[0].status, VerdictStatus::not_run);
+  EXPECT_EQ(found[0].message, "the run ended early, unstable at 1 s");
+}
+
+TEST(Verdict, OnlyADistanceThatIsAFiniteNumberIsWithinItsLimit) {
+  EXPECT_TRUE(within(0, 1));
+  EXPECT_TRUE(within(1, 1));
+  EXPECT_FALSE(within(std::nextafter(1, 2), 1));
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity(), -1.0})
+    EXPECT_FALSE(within(value, 1)) << value;
+  EXPECT_FALSE(within(0.5, std::nan("")));
+}
+
+/// The numbers of a JSON value, and its nulls.
+void count(const nlohmann::json& json, long& nulls) {
+  if (json.is_null()) ++nulls;
+  EXPECT_TRUE(!json.is_number_float() || std::isfinite(json.get<double>()));
+  if (json.is_structured())
+    for (const nlohmann::json& item : json) count(item, nulls);
+}
+
+TEST(Results, WhatIsNotFiniteIsNoNumberInJsonAndPassesNothing) {
+  for (const double bad :
+       {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
+    plumb::Run run = run_with("a");
+    run.trajectory.q[1][7] = bad;
+    run.trajectory.energies[1].bending = bad;
+    run.probes = probe(run.loaded.spec, run.trajectory);
+    const Results results = evaluate(run, {});
+    EXPECT_EQ(results.outcome, Outcome::inaccurate);
+    const std::string text = to_json(results);
+    const nlohmann::json json = nlohmann::json::parse(text);
+    EXPECT_TRUE(json["energy"]["bending"][1].is_null()) << json["energy"]["bending"];
+    EXPECT_TRUE(json["probes"]["tip.y"]["values"][1].is_null());
+    EXPECT_TRUE(json["errors"][0]["max"].is_null());
+    EXPECT_TRUE(json["verdicts"][0]["value"].is_null());
+    EXPECT_EQ(json["verdicts"][0]["status"], "failed");
+    EXPECT_EQ(json["all_criteria_met"], false);
+    long nulls = 0;
+    count(json, nulls);
+    EXPECT_GT(nulls, 4);
+  }
+}
+
+TEST(Figures, OfARunThatFailedShowWhereItEnded) {
+  plumb::Run run = run_with("a", "[[figure]]\nname = \"height\"\ny = \"tip.y\"\nreference = \"known\"\n");
+  for (const Figure& figure : figures(run, series_errors(run)))
+    for (const Panel& panel : figure.plot.panels) EXPECT_TRUE(panel.rules.empty()) << figure.name;
+  run.trajectory.outcome = Outcome::unstable;
+  run.trajectory.end_time = 0.6;
+  run.trajectory.times.pop_back();
+  run.trajectory.q.pop_back();
+  run.trajectory.v.pop_back();
+  run.trajectory.energies.pop_back();
+  run.probes = probe(run.loaded.spec, run.trajectory);
+  const std::vector<Figure> found = figures(run, series_errors(run));
+  ASSERT_EQ(found.size(), 2U);
+  for (const Figure& figure : found) {
+    EXPECT_NE(figure.title.find("only to 0.6 s: unstable"), std::string::npos) << figure.title;
+    for (const Panel& panel : figure.plot.panels) {
+      ASSERT_EQ(panel.rules.size(), 1U) << figure.name;
+      EXPECT_EQ(panel.rules[0].from, 0.6);
+      EXPECT_EQ(panel.rules[0].to, 1);
+      EXPECT_EQ(panel.rules[0].label, "unstable at 0.6 s of 1 s");
+      EXPECT_EQ(panel.x.range, (std::array<double, 2>{0, 1})) << "what is missing must be seen";
+    }
+  }
+  run.trajectory.end_time = 0.01;
+  EXPECT_EQ(figures(run, {})[0].plot.panels[0].x.range, (std::array<double, 2>{0, 0.02})) << "or nothing is";
+  run.trajectory.end_time = 0.6;
+  const std::string page = to_page(evaluate(run, {}), {});
+  const std::string mark = "Only the 0.6 s of 1 s before the run ended (unstable)";
+  long marks = 0;
+  for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + 1)) ++marks;
+  EXPECT_EQ(marks, 4) << "figures, animation, errors and energies";
+  EXPECT_EQ(nlohmann::json::parse(to_json(evaluate(run, {})))["complete"], false);
 }
 
 TEST(Page, EscapesWhatTheCaseSays) {

@@ -1,0 +1,50 @@
+#include "engine/output/file_writing.h"
+#include "engine/study/run_sweep.h"
+#include "engine/study/sweep_json.h"
+#include "report/program/study_kinds.h"
+#include "report/program/work.h"
+#include "report/sweep_report.h"
+
+namespace plumb {
+namespace {
+
+/// All that follows a sweep: verdicts and report, with the folder put in place and the findings said.
+ExitStatus report_on(const Sweep& sweep, OutputFolder& folder, Stages& stages, const Options& options,
+                     Talk& talk) {
+  write_file(folder.file(study_json_name), encode_sweep(sweep));
+  stages.begin("figures");
+  const std::vector<Picture> pictures = draw_sweep(sweep, folder);
+  const SweepResults results = evaluate_sweep(sweep, stages);
+  stages.begin("report");
+  const std::string json = write_sweep_report(results, pictures, folder);
+  folder.commit();
+  stages.end();
+  for (const std::string& line : outcome_lines(sweep)) talk.line(line);
+  for (const SweepRun& run : sweep.runs)
+    if (const std::string trouble = trouble_of(run, sweep.spec.tolerance); !trouble.empty())
+      talk.line(talk.bad("case " + std::to_string(run.number)) + ": " + trouble + ": " +
+                command_of(sweep, run));
+  say_verdicts(results.verdicts, talk);
+  talk.line(headline(results));
+  say_stages(stages, talk);
+  talk.line("report: " + folder.path() + "/index.html");
+  if (options.json) write_to_standard_output(json);
+  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+}  // namespace
+
+ExitStatus sweep_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages, const Options& options,
+                       Talk& talk) {
+  stages.begin("sweep");
+  const Sweep sweep = run_sweep(loaded, [&](double share) { talk.progress("sweep", share); });
+  talk.end_progress();
+  return report_on(sweep, folder, stages, options, talk);
+}
+
+ExitStatus sweep_report(const std::string& json, OutputFolder& folder, Stages& stages, const Options& options,
+                        Talk& talk) {
+  return report_on(decode_sweep(json, study_json_name), folder, stages, options, talk);
+}
+
+}  // namespace plumb
