@@ -48,4 +48,10 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time);
 /// [study.work_precision]; an empty table gives the defaults.
 WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable, const TimeSpec& time);
 
+/// Reads the case again with further overrides.
+using CaseWithOverrides = std::function<Case(const std::vector<std::string>& overrides)>;
+
+/// [[study.variant]]; the case of each is read by `with`, and refused where it is not valid.
+std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with);
+
 }  // namespace plumb
