@@ -156,6 +156,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   formulation["green"] = spec.cable.strain == StrainModel::green_geometric;
   formulation["full"] = spec.cable.quadrature == QuadratureRule::full;
   const MethodInfo& method = *find_method(spec.method.name);
+  formulation["dynamic"] = method.dynamic;
   formulation["method"] = method.name;
   formulation["method_summary"] = method.summary;
   formulation["method_order"] = method.order;
@@ -163,6 +164,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
 
   data page;
   page["css"] = std::string(page_css) + (results.study ? std::string(study_css) : "");
+  page["dynamic"] = method.dynamic;
   page["title"] = spec.title;
   page["headline"] = headline(results);
   page["good"] = results.solved() && all_passed(results.verdicts);

@@ -72,7 +72,8 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   result.element_length = cable.element().length();
 
   Dynamics dynamics(cable);
-  const Monitor monitor(cable, start);
+  const MethodInfo* info = find_method(method.name);
+  const Monitor monitor(cable, start, info == nullptr || info->dynamic);
   const std::vector<double> outputs = output_times(time);
   const double near = same_time * time.output_interval;
   State between = start;

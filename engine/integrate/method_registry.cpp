@@ -23,6 +23,7 @@ MethodEntry cvode_adams_entry();
 MethodEntry arkode_dirk_entry();
 MethodEntry gauss_entry();
 MethodEntry ida_entry();
+MethodEntry statics_entry();
 
 namespace {
 
@@ -45,6 +46,7 @@ const std::vector<MethodEntry>& entries() {
       cvode_adams_entry(),
       cvode_bdf_entry(),
       ida_entry(),
+      statics_entry(),
   };
   return all;
 }
@@ -72,6 +74,8 @@ std::string_view word(MethodFamily family) {
       return "multistep";
     case MethodFamily::constrained:
       return "constrained";
+    case MethodFamily::quasi_static:
+      return "static";
   }
   return "";
 }

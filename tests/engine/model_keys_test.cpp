@@ -78,5 +78,19 @@ TEST(ModelKeys, AClampedEndIsRefusedForAChain) {
   }
 }
 
+TEST(ModelKeys, StaticsRefusesAStartThatMoves) {
+  CaseSource source = small_case();
+  source.overrides = {"method.name=statics"};
+  EXPECT_EQ(
+      refusal(source),
+      "case.toml:16:20: start.angular_velocity = [0, 4, 0]: must be 0 for statics, which starts at rest");
+  source.overrides.push_back("start.angular_velocity=[0, 0, 0]");
+  EXPECT_EQ(refusal(source), "accepted");
+  source.overrides.push_back("start.axial_speed=2");
+  const std::string message = refusal(source);
+  EXPECT_TRUE(matches(message, "…start.axial_speed = 2: must be 0 for statics, which starts at rest"))
+      << message;
+}
+
 }  // namespace
 }  // namespace plumb
