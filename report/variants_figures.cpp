@@ -50,6 +50,12 @@ std::vector<double> changes(const Trajectory& trajectory, bool relative) {
   return values;
 }
 
+/// The legend stands above the panels, in two columns, and takes none of their height.
+int height_for(const Variants& study) {
+  constexpr int without_legend = 1150, legend_row = 45;
+  return without_legend + legend_row * static_cast<int>((study.variants.size() + 1) / 2);
+}
+
 std::string ends_in_words(const Variants& study) {
   std::string text;
   for (const VariantResult& variant : study.variants) {
@@ -85,6 +91,7 @@ Figure energy_figure(const Variants& study) {
       "change on a logarithmic axis." +
       ends_in_words(study);
   figure.plot.title = figure.title;
+  figure.plot.height = height_for(study);
   figure.plot.panels = {std::move(change)};
   const bool any_change = std::any_of(size.series.begin(), size.series.end(), [](const Series& series) {
     return std::any_of(series.y.begin(), series.y.end(), [](double y) { return y > 0 && std::isfinite(y); });
@@ -117,6 +124,7 @@ Figure probe_figure(const Variants& study) {
   figure.title = fmt::format("{} over time", name);
   figure.alt = fmt::format("Plot of {} over time, one line a variant.", name) + ends_in_words(study);
   figure.plot.title = figure.title;
+  figure.plot.height = height_for(study);
   if (!panel.series.empty()) figure.plot.panels.push_back(std::move(panel));
   return figure;
 }
