@@ -30,7 +30,7 @@ int places_for(double within) {
 /// Decimals where they are short, else powers of ten.
 bool suits_decimals(double value, double within) {
   constexpr double largest = 1e6;
-  constexpr int most_places = 9;
+  constexpr int most_places = 12;
   return std::abs(value) < largest && places_for(within) <= most_places;
 }
 
