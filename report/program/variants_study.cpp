@@ -37,6 +37,7 @@ ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Sta
   const std::vector<Picture> pictures =
       draw_figures(variants_figures(study.result), context,
                    {{"Software", "Plumb"}, {"Title", study.result.title}}, folder);
+  stages.end();
   const VariantsResults results = evaluate_variants(study, stages);
   stages.begin("report");
   write_file(folder.file("index.html"), to_variants_page(results, pictures));

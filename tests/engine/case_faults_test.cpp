@@ -83,7 +83,7 @@ TEST(CaseFaults, AnUnknownKeyOrTableIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"equal_axes = false", "equal_axis = false",
        "case.toml:54:1: figure.0.equal_axis = false: unknown key; did you mean \"equal_axes\"?"},
       {"[scene]", "[study.mesh]\nelements = [1, 2]\n[scene]",
-       "case.toml:60:8: study.mesh: unknown table; known: work_precision"},
+       "case.toml:60:8: study.mesh: unknown table; known: work_precision, variant"},
       {"[scene]", "[sweep]\nelements = [1, 2]\n[scene]",
        "case.toml:60:2: sweep: unknown table; known: parameters, title, cable, start, supports, loads, "
        "method, time, probe, reference, figure, scene, study"},

@@ -37,7 +37,7 @@ TEST_P(FailureCase, EveryVariantEndsAsExpectedWithItsFigures) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FailureCase, testing::ValuesIn(failure_cases()),
-                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
+                         [](const testing::TestParamInfo<std::string>& one) { return one.param; });
 
 }  // namespace
 }  // namespace plumb

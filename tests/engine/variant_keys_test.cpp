@@ -84,7 +84,7 @@ TEST(VariantKeys, BadValuesAreRefusedWithPlaceAndVariant) {
            {"[[study.variant]]\nname = \"" + std::string(81, 'a') + "\"\n", "must be at most 80 bytes long"},
            {"[study]\nvariant = 1\n", "study.variant = 1: must be a list of tables"},
            {variant("") + variant(""), "study.variant.1.name = \"a\": is the name of another variant"},
-           {variant("sett = {}\n"), "unknown key; did you mean \"set\"?"},
+           {variant("sett = {}\n"), "did you mean \"set\"?"},
            {variant("set = 1\n"), "study.variant.0.set = 1: must be a table"},
            {variant("set = { \"method.step\" = -1 }\n"),
             "study.variant.0.set.method.step = -1: must be a number greater than 0 (s), in the variant "
