@@ -20,7 +20,7 @@ TEST(ModelKeys, AForceOnTheLastEndIsRead) {
 TEST(ModelKeys, AForceThatIsNotThreeNumbersIsRefused) {
   EXPECT_TRUE(
       matches(refusal(small_with("[loads]", "[loads]\nend_force = [1, 2]")),
-              "case.toml:22:13: loads.end_force = [1, 2]: must be a list of 3 numbers, found 2 of them"))
+              "case.toml:22:13: loads.end_force = [1, 2]: must be a list of 3 numbers (N), found 2 of them"))
       << refusal(small_with("[loads]", "[loads]\nend_force = [1, 2]"));
 }
 
@@ -88,7 +88,7 @@ TEST(ModelKeys, StaticsRefusesAStartThatMoves) {
   EXPECT_EQ(refusal(source), "accepted");
   source.overrides.push_back("start.axial_speed=2");
   const std::string message = refusal(source);
-  EXPECT_TRUE(matches(message, "…start.axial_speed = 2: must be 0 for statics, which starts at rest"))
+  EXPECT_TRUE(matches(message, "--set start.axial_speed=2: must be 0 for statics, which starts at rest"))
       << message;
 }
 
