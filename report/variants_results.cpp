@@ -77,9 +77,9 @@ std::string with_margin(double value, double within) {
 
 std::string to_margin(double value, double within) {
   if (!std::isfinite(value)) return "none";
+  if (std::abs(value) < within) return fmt::format("{:.2g}", value);
   if (suits_decimals(value, within)) return fmt::format("{:.{}f}", value, places_for(within));
-  const int digits =
-      value == 0 ? 1 : std::clamp(static_cast<int>(std::log10(std::abs(value) / within)) + 2, 2, 15);
+  const int digits = std::clamp(static_cast<int>(std::log10(std::abs(value) / within)) + 2, 2, 15);
   return fmt::format("{:.{}e}", value, digits - 1);
 }
 

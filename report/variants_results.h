@@ -27,7 +27,7 @@ std::string found_in_words(const VariantResult& variant);
 
 /// A number and its margin, to the same digits: "1.200 ± 0.005".
 std::string with_margin(double value, double within);
-/// A number to the digits of a margin; "none" where it is not finite.
+/// A number to the digits of a margin, or to two where it is less than that; "none" where it is not finite.
 std::string to_margin(double value, double within);
 
 /// How the variants ended, and which of them not as expected, in words.
