@@ -208,7 +208,8 @@ TEST(Element, FullQuadratureSeesTheLockingStrainOfAnArc) {
       for (int i = 0; i < 4; ++i) slope += s[static_cast<std::size_t>(i)] * q.segment<3>(3 * i);
       mean += p.weight * element.strain(slope);
     }
-    EXPECT_NEAR(mean / (-std::pow(angle, 4) / 720), share, 0.002) << "angle " << angle << ", mean strain " << mean;
+    EXPECT_NEAR(mean / (-std::pow(angle, 4) / 720), share, 0.002)
+        << "angle " << angle << ", mean strain " << mean;
   }
 }
 
