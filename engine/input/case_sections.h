@@ -52,4 +52,10 @@ WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable,
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
 SweepSpec default_sweep(const CableSpec& cable);
 
+/// Reads the case again with further overrides.
+using CaseWithOverrides = std::function<Case(const std::vector<std::string>& overrides)>;
+
+/// [[study.variant]]; the case of each is read by `with`, and refused where it is not valid.
+std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with);
+
 }  // namespace plumb

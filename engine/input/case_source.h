@@ -37,6 +37,10 @@ LoadedCase load_case(const std::string& path, const std::vector<std::string>& ov
 /// The same from texts that are at hand already. Throws as above.
 LoadedCase load_case(const CaseSource& source);
 
+/// The case of a [[study.variant]]: that of the source with the variant's overrides after its own, and
+/// without studies. Throws as above.
+LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant);
+
 /// Reads a reference. Throws InputError where source, figure, unit, how obtained or uncertainty is missing,
 /// or a number is not finite.
 Reference read_reference(const NamedText& text);

@@ -27,11 +27,10 @@ struct StabilitySpec {
 
 /// [[study.variant.expect]]: a figure that a variant is to show.
 struct ExpectationSpec {
-  /// "end-time" (s), "energy-ratio" (last total energy over the first), "energy-change" (last minus first,
-  /// over the first kinetic energy), "constraint-drift" (m), "amplitude" (of the first probe column over the
-  /// last tenth of the run as a fraction of that over the first tenth), or a column of the probes, at the
-  /// last output.
+  /// One of variant_quantities() (engine/study/variant_quantities.h), a column of the probes at the last
+  /// output, or "greatest COLUMN" or "least COLUMN" over the outputs.
   std::string quantity;
+  std::string from;  ///< name of the variant that a "distance" is to; otherwise empty
   double value = 0;
   double within = 0;   ///< > 0, in the unit of the quantity
   std::string source;  ///< where the value is from, required
@@ -44,8 +43,12 @@ struct VariantSpec {
   std::string name;                    ///< unique
   std::vector<std::string> overrides;  ///< "method.step=0.2", as --set takes them
   std::string outcome;                 ///< the expected one, a word of outcomes(); empty: any
+  std::string says;                    ///< what the message of its end has to hold; empty: anything
   std::string reason;                  ///< why that is expected; may be empty
   std::vector<ExpectationSpec> expectations;
+
+  /// False where it is only there to be seen beside others.
+  bool expects_anything() const { return !outcome.empty() || !says.empty() || !expectations.empty(); }
 
   friend bool operator==(const VariantSpec&, const VariantSpec&) = default;
 };

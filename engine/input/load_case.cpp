@@ -17,8 +17,30 @@ namespace {
 
 constexpr std::size_t longest_title = 500;
 
+/// What is made of [study]: everything, or nothing for a case that is itself a part of a study.
+enum class Studies { read, ignored };
+
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of) {
+                     const ReferenceText& text_of, Studies studies);
+
+void read_studies(TableReader study, const NamedText& file, const std::vector<std::string>& overrides,
+                  const ReferenceText& text_of, Case& spec) {
+  const bool has_work_precision = study.has("work_precision");
+  const bool has_sweep = study.has("sweep");
+  const std::vector<TableReader> variants = study.tables("variant");
+  study.finish();
+  if (has_work_precision)
+    spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+  if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
+  spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = overrides;
+    all.insert(all.end(), more.begin(), more.end());
+    return read_case(file, all, text_of, Studies::ignored).spec;
+  });
+}
+
+LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
+                     const ReferenceText& text_of, Studies studies) {
   const TomlValue written = parse_toml(file);
   TomlValue merged = written;
   for (const std::string& text : overrides) apply_override(merged, text);
@@ -41,11 +63,8 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
-  TableReader study = root.table("study");
-  const bool has_work_precision = study.has("work_precision");
-  const bool has_sweep = study.has("sweep");
+  const TableReader study = root.table("study");
   root.finish();
-  study.finish();
 
   spec.parameters = parameters.values();
   spec.cable = read_cable(cable);
@@ -64,9 +83,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
-  if (has_work_precision)
-    spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
-  if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
+  if (studies == Studies::read) read_studies(study, file, overrides, text_of, spec);
 
   loaded.references = std::move(read.references);
   loaded.source = {file, overrides, std::move(read.texts)};
@@ -77,6 +94,16 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   return loaded;
 }
 
+/// Gives the texts of references that a source holds, which must outlive it.
+ReferenceText texts_of(const CaseSource& source) {
+  return [&](const std::string& name) {
+    const auto found = std::find_if(source.references.begin(), source.references.end(),
+                                    [&](const NamedText& reference) { return reference.name == name; });
+    return found != source.references.end() ? FileText{found->text, ""}
+                                            : FileText{"", "its text is not among those of the case"};
+  };
+}
+
 }  // namespace
 
 LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
@@ -85,17 +112,19 @@ LoadedCase load_case(const std::string& path, const std::vector<std::string>& ov
     throw InputError(one_line(fmt::format("{}: cannot be read: {}", path, file.failure)));
   }
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return read_case({path, file.text}, overrides,
-                   [&](const std::string& name) { return read_file_text((folder / name).string()); });
+  return read_case(
+      {path, file.text}, overrides,
+      [&](const std::string& name) { return read_file_text((folder / name).string()); }, Studies::read);
 }
 
 LoadedCase load_case(const CaseSource& source) {
-  return read_case(source.file, source.overrides, [&](const std::string& name) {
-    const auto found = std::find_if(source.references.begin(), source.references.end(),
-                                    [&](const NamedText& reference) { return reference.name == name; });
-    return found != source.references.end() ? FileText{found->text, ""}
-                                            : FileText{"", "its text is not among those of the case"};
-  });
+  return read_case(source.file, source.overrides, texts_of(source), Studies::read);
+}
+
+LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
+  std::vector<std::string> overrides = source.overrides;
+  overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
+  return read_case(source.file, overrides, texts_of(source), Studies::ignored);
 }
 
 }  // namespace plumb

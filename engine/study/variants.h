@@ -23,11 +23,17 @@ struct ExpectationFound {
 /// A variant of a case as it went.
 struct VariantResult {
   VariantSpec spec;
-  Case run;  ///< what was integrated
-  Trajectory trajectory;
+  Case run;               ///< what was integrated
+  Trajectory trajectory;  ///< without states, which only the figures need
   ProbeTable probes;
   std::vector<ExpectationFound> expectations;
-  bool outcome_met() const { return spec.outcome.empty() || spec.outcome == word(trajectory.outcome); }
+
+  bool outcome_met() const {
+    return (spec.outcome.empty() || spec.outcome == word(trajectory.outcome)) &&
+           trajectory.message.find(spec.says) != std::string::npos;
+  }
+  /// The outcome and every figure.
+  bool met() const;
 };
 
 /// All variants of a case: each a failure that is known, beside what is known of it.

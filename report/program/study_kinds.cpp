@@ -17,6 +17,8 @@ std::span<const StudyKind> study_kinds() {
   static const std::vector<StudyKind> all{
       {"work-precision", "_study", [](const Case& spec) { return spec.work_precision.has_value(); },
        work_precision_study, nullptr},
+      {"variants", "_variants", [](const Case& spec) { return !spec.variants.empty(); }, variants_study,
+       variants_report},
       {"sweep", "_sweep", [](const Case& spec) { return spec.sweep.has_value(); }, sweep_study, sweep_report},
   };
   return all;

@@ -52,4 +52,10 @@ ExitStatus sweep_study(const LoadedCase& loaded, OutputFolder& folder, Stages& s
 ExitStatus sweep_report(const std::string& json, OutputFolder& folder, Stages& stages, const Options& options,
                         Talk& talk);
 
+/// Throws InputError where the case has no variants.
+ExitStatus variants_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                          const Options& options, Talk& talk);
+ExitStatus variants_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                           const Options& options, Talk& talk);
+
 }  // namespace plumb

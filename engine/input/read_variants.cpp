@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "engine/errors.h"
+#include "engine/input/case_sections.h"
+#include "engine/input/nearest.h"
+#include "engine/input/probe_columns.h"
+#include "engine/input/value_text.h"
+#include "engine/integrate/trajectory.h"
+#include "engine/study/variant_quantities.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t longest_name = 80;
+
+/// A key that a variant sets, where it stands, and the override that it comes to.
+struct Setting {
+  const TomlValue* value;
+  std::string key;
+  std::string override_text;
+};
+
+/// Dotted keys and quoted ones alike: { method.step = 0.2 } and { "method.step" = 0.2 }.
+void collect(const TomlValue& table, const std::string& before, std::vector<Setting>& settings) {
+  for (const TomlValue& item : table.items) {
+    const std::string key = before.empty() ? item.key : fmt::format("{}.{}", before, item.key);
+    if (item.kind == TomlValue::Kind::table)
+      collect(item, key, settings);
+    else
+      settings.push_back({&item, key, fmt::format("{}={}", key, value_text(item))});
+  }
+}
+
+/// Says of an error in a variant's case which variant it is in, and where that sets what is wrong.
+[[noreturn]] void refuse_case(const TableReader& table, const VariantSpec& variant,
+                              const std::vector<Setting>& settings, const std::string& fault) {
+  for (const Setting& setting : settings) {
+    const std::string start = fmt::format("--set {}: ", setting.override_text);
+    if (fault.starts_with(start))
+      refuse(setting.value->place, table.full_key("set." + setting.key), setting.value->written,
+             fmt::format("{}, in the variant \"{}\"", fault.substr(start.size()), variant.name));
+  }
+  const TomlValue* set = table.value().find("set");
+  refuse(set != nullptr ? set->place : table.value().place, table.full_key("set"), "",
+         fmt::format("the variant \"{}\" is no valid case: {}", variant.name, fault));
+}
+
+std::vector<std::string> possible_outcomes() {
+  std::vector<std::string> words;
+  for (const Outcome outcome :
+       {Outcome::completed, Outcome::unstable, Outcome::diverged, Outcome::no_convergence, Outcome::singular})
+    words.emplace_back(word(outcome));
+  return words;
+}
+
+void check_quantity(const TableReader& table, const ExpectationSpec& expected, const Case& spec) {
+  std::vector<std::string> known;
+  for (const VariantQuantity& quantity : variant_quantities()) known.emplace_back(quantity.name);
+  if (std::find(known.begin(), known.end(), expected.quantity) != known.end()) {
+    if (expected.quantity == "growth" && spec.probes.empty())
+      table.refuse_value("quantity", "needs a [[probe]], whose first column it is of");
+    return;
+  }
+  const std::vector<std::string> columns = all_columns(spec.probes);
+  const std::string column = column_quantity(expected.quantity).column;
+  if (std::find(columns.begin(), columns.end(), column) != columns.end()) return;
+  known.insert(known.end(), columns.begin(), columns.end());
+  table.refuse_value(
+      "quantity",
+      fmt::format("must be {}, a column of the probes, or \"greatest\" or \"least\" before a column{}",
+                  fmt::join(known.begin(), known.begin() + std::ssize(variant_quantities()), ", "),
+                  suggestion(column, known)));
+}
+
+ExpectationSpec read_expectation(TableReader& table, const Case& spec) {
+  ExpectationSpec expected;
+  expected.quantity = table.text("quantity", "what is expected");
+  expected.from = table.optional_text("from", "");
+  expected.value = table.number("value", Range::any(""));
+  expected.within = table.number("within", Range::positive("in the unit of the quantity"));
+  expected.source = table.prose("source", "where the value is from");
+  table.finish();
+  check_quantity(table, expected, spec);
+  const bool distance = expected.quantity == "distance";
+  if (distance && expected.from.empty())
+    table.refuse_value("from", "missing; required: the name of the variant that the distance is to");
+  if (!distance && !expected.from.empty())
+    table.refuse_value("from", "belongs to the quantity \"distance\" alone");
+  return expected;
+}
+
+/// A variant with its case, and the tables that its expectations are in.
+struct Read {
+  VariantSpec variant;
+  Case spec;
+  std::vector<TableReader> expectations;
+};
+
+Read read_variant(TableReader& table, const CaseWithOverrides& with) {
+  Read read;
+  VariantSpec& variant = read.variant;
+  variant.name = table.text("name", "a name");
+  const TableReader set = table.table("set");
+  const std::vector<std::string> outcome_words = possible_outcomes();
+  if (const auto outcome = table.choice("outcome", outcome_words, true))
+    variant.outcome = outcome_words[*outcome];
+  variant.says = table.optional_text("says", "");
+  variant.reason = table.optional_prose("reason");
+  // Plain numbers: an expression would have the parameters of the file, which the variant may have changed.
+  const std::vector<TableReader> expectations = table.tables("expect");
+  for (std::size_t k = 0; k < expectations.size(); ++k)
+    read.expectations.emplace_back(expectations[k].value(), table.full_key(fmt::format("expect.{}", k)),
+                                   nullptr);
+  table.finish();
+  if (variant.name.size() > longest_name)
+    table.refuse_value("name", fmt::format("must be at most {} bytes long", longest_name));
+  if (variant.outcome == word(Outcome::completed) && !variant.says.empty())
+    table.refuse_value("says", "a run that completes has no message");
+
+  std::vector<Setting> settings;
+  collect(set.value(), "", settings);
+  for (const Setting& setting : settings) {
+    if (setting.key == "study" || setting.key.starts_with("study."))
+      refuse(setting.value->place, table.full_key("set." + setting.key), setting.value->written,
+             "a variant has no studies");
+    variant.overrides.push_back(setting.override_text);
+  }
+  try {
+    read.spec = with(variant.overrides);
+  } catch (const InputError& error) {
+    refuse_case(table, variant, settings, error.what());
+  } catch (const UsageError& error) {
+    refuse_case(table, variant, settings, error.what());
+  }
+  for (TableReader& expectation : read.expectations)
+    variant.expectations.push_back(read_expectation(expectation, read.spec));
+  return read;
+}
+
+/// A distance is between the nodes of two variants.
+void check_distances(const std::vector<Read>& all, const Read& one) {
+  for (std::size_t k = 0; k < one.variant.expectations.size(); ++k) {
+    const std::string& from = one.variant.expectations[k].from;
+    if (from.empty()) continue;
+    std::vector<std::string> others;
+    const Read* other = nullptr;
+    for (const Read& any : all) {
+      if (&any == &one) continue;
+      others.push_back(any.variant.name);
+      if (any.variant.name == from) other = &any;
+    }
+    const TableReader& table = one.expectations[k];
+    if (other == nullptr)
+      table.refuse_value("from", "is the name of no other variant" + suggestion(from, others));
+    if (other->spec.cable.elements != one.spec.cable.elements)
+      table.refuse_value("from", fmt::format("has {} elements, this variant {}: their nodes are not the same",
+                                             other->spec.cable.elements, one.spec.cable.elements));
+  }
+}
+
+}  // namespace
+
+std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with) {
+  std::vector<Read> all;
+  for (TableReader& table : tables) {
+    Read read = read_variant(table, with);
+    const auto same = [&](const Read& other) { return other.variant.name == read.variant.name; };
+    if (std::any_of(all.begin(), all.end(), same))
+      table.refuse_value("name", "is the name of another variant");
+    all.push_back(std::move(read));
+  }
+  for (const Read& read : all) check_distances(all, read);
+  std::vector<VariantSpec> variants;
+  for (Read& read : all) variants.push_back(std::move(read.variant));
+  return variants;
+}
+
+}  // namespace plumb

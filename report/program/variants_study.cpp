@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/errors.h"
+#include "engine/output/file_writing.h"
+#include "engine/study/variants_file.h"
+#include "render/gl_context.h"
+#include "report/program/study_kinds.h"
+#include "report/program/work.h"
+#include "report/variants_figures.h"
+#include "report/variants_page.h"
+
+namespace plumb {
+namespace {
+
+void say_variants(const VariantsResults& results, Talk& talk) {
+  for (const VariantResult& variant : results.study.result.variants) {
+    const bool expects = variant.spec.expects_anything();
+    const std::string status = fmt::format("{:<7}", !expects ? "shown" : variant.met() ? "passed" : "failed");
+    talk.line(fmt::format("  {} {}: {}",
+                          !expects        ? talk.faint(status)
+                          : variant.met() ? talk.good(status)
+                                          : talk.bad(status),
+                          variant.spec.name, found_in_words(variant)));
+    if (expects && !variant.met())
+      talk.line(fmt::format("          expected: {}", expected_in_words(variant)));
+    if (!variant.trajectory.message.empty()) talk.line("          " + variant.trajectory.message);
+  }
+}
+
+ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Stages& stages,
+                           const Options& options, Talk& talk) {
+  write_file(folder.file(study_json_name), encode_variants(study));
+  stages.begin("figures");
+  const GlContext context;
+  const std::vector<Picture> pictures =
+      draw_figures(variants_figures(study.result), context,
+                   {{"Software", "Plumb"}, {"Title", study.result.title}}, folder);
+  stages.end();
+  const VariantsResults results = evaluate_variants(study, stages);
+  stages.begin("report");
+  write_file(folder.file("index.html"), to_variants_page(results, pictures));
+  const std::string json = to_json(results);
+  write_file(folder.file("results.json"), json);
+  write_file(folder.file("junit.xml"), to_junit(results));
+  write_file(folder.file("summary.md"), to_summary(results));
+  folder.commit();
+  stages.end();
+  say_variants(results, talk);
+  talk.line(headline(results));
+  say_stages(stages, talk);
+  talk.line("report: " + folder.path() + "/index.html");
+  if (options.json) write_to_standard_output(json);
+  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+}  // namespace
+
+ExitStatus variants_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                          const Options& options, Talk& talk) {
+  if (loaded.spec.variants.empty())
+    throw InputError(loaded.source.file.name + ": has no [[study.variant]] to run");
+  stages.begin("runs");
+  const VariantsStudy study =
+      run_variants(loaded, [&](const std::string& name, double share) { talk.progress(name, share); });
+  talk.end_progress();
+  return report_variants(study, folder, stages, options, talk);
+}
+
+ExitStatus variants_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                           const Options& options, Talk& talk) {
+  return report_variants(decode_variants(json), folder, stages, options, talk);
+}
+
+}  // namespace plumb
