@@ -56,6 +56,8 @@ class Adviser {
         limit_(stability_limit(method)) {}
 
   std::string on(Outcome outcome) const {
+    if (!info_.dynamic && outcome >= Outcome::unstable && outcome != Outcome::out_of_time)
+      return "a smaller load, more elements, or smaller steps of the load";
     switch (outcome) {
       case Outcome::unstable:
       case Outcome::diverged:
@@ -111,7 +113,6 @@ class Adviser {
       if (method_.name != "energy-momentum") text += ", or energy-momentum";
       return text;
     }
-    if (!method_.rtol) return "a smaller load, or more elements";
     return fmt::format("looser tolerances than rtol = {:g} and atol = {:g}, more elements, or another method",
                        *method_.rtol, *method_.atol);
   }
@@ -126,7 +127,7 @@ class Adviser {
   }
 
   std::string on_out_of_time() const {
-    if (!method_.step) return method_.rtol ? "looser tolerances, fewer elements, or more time" : "more time";
+    if (!method_.step) return "looser tolerances, fewer elements, or more time";
     if (grows_beyond_a_step()) {
       const double longest = longest_step();
       if (*method_.step < longest)

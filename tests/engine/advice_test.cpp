@@ -101,6 +101,7 @@ TEST(Advice, SuitsTheMethodAndTheOutcome) {
   MethodSpec growing = method("bdf", 1e-2);
   growing.parameters["order"] = 3;
   expect_part(on(growing, Outcome::unstable), "another order");
+  expect_part(on(method("statics", 1e-2), Outcome::no_convergence), "a smaller load");
   // Every method has something to say of every failure, and nothing of what did not fail.
   for (const MethodInfo& info : method_infos())
     for (const Outcome outcome : outcomes()) {
