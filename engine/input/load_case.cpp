@@ -42,6 +42,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   const TableReader scene = root.table("scene");
   TableReader study = root.table("study");
   const bool has_work_precision = study.has("work_precision");
+  const bool has_stability = study.has("stability");
   root.finish();
   study.finish();
 
@@ -59,6 +60,8 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.scene = read_scene(scene, spec.time);
   if (has_work_precision)
     spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+  if (has_stability)
+    spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
 
   loaded.references = std::move(read.references);
   loaded.source = {file, overrides, std::move(read.texts)};
