@@ -8,12 +8,14 @@ namespace plumb {
 
 /// The fastest vibration of a cable about a state, with its supports: the greatest ω of K(q) φ = ω² M φ.
 struct FastestVibration {
-  double frequency = 0;   ///< ω, rad/s; 0: nothing vibrates
+  double frequency = 0;   ///< ω, rad/s; 0: nothing vibrates, or K is not finite
   Eigen::VectorXd shape;  ///< φ, with φᵀ M φ = 1
-  int element = 0;        ///< where it is greatest
+  int element = 0;        ///< where it is greatest, from 0
 };
 
-/// By Lanczos's method on the banded pair; no matrix is ever dense.
+/// By Lanczos's method on the banded pair (Parlett 1998, chapter 13); time and memory are linear in the
+/// number of elements. ω is good to 1e-6 where the vibration is gathered somewhere, as it is at a free end,
+/// and to 1e-3 at worst, along a fine and even cable held at both ends.
 FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q);
 
 }  // namespace plumb
