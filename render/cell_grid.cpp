@@ -16,7 +16,8 @@ void check_edges(const std::vector<double>& edges) {
       throw OutputError(fmt::format("plot: edge {} of the cells, {}: must be finite and rise", k, edges[k]));
 }
 
-/// Black or white, whichever stands out more.
+}  // namespace
+
 Color ink_on(Color color) {
   const double luminance =
       0.2126 * std::pow(color.r, 2.2) + 0.7152 * std::pow(color.g, 2.2) + 0.0722 * std::pow(color.b, 2.2);
@@ -24,8 +25,6 @@ Color ink_on(Color color) {
   constexpr double even = 0.18;
   return luminance > even ? Color::hex(0x111111) : Color::hex(0xFFFFFF);
 }
-
-}  // namespace
 
 void check_cells(const CellGrid& cells, std::size_t categories) {
   check_edges(cells.x_edges);

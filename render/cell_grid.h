@@ -16,4 +16,7 @@ void draw_cells(Painter& painter, const CellGrid& cells, const std::vector<CellC
 /// Fills a rectangle with a category's colour and puts its letter in the middle.
 void draw_cell(Painter& painter, const Rect& place, const CellCategory& category, const PlotSizes& sizes);
 
+/// Black or white, whichever can be read better on a colour.
+Color ink_on(Color color);
+
 }  // namespace plumb

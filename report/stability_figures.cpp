@@ -26,18 +26,6 @@ std::string axis_in_words(const Stability& study, MapAxis axis) {
   return axis == MapAxis::elements ? "elements" : "duration";
 }
 
-/// What the maps have in common that is not on their axes.
-std::string fixed_in_words(const Stability& study, MapAxis axis) {
-  std::string text;
-  const auto add = [&](const std::string& part) {
-    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
-  };
-  if (axis != MapAxis::parameter) add(parameter_text(study, study.parameter_value));
-  if (axis != MapAxis::elements) add(counted(study.elements, "element", "elements"));
-  if (axis != MapAxis::duration) add(fmt::format("{:g} s", study.end));
-  return text;
-}
-
 std::string counts_in_words(const std::vector<const OutcomeMap*>& maps) {
   Stability all;
   for (const OutcomeMap* map : maps) all.maps.push_back(*map);
@@ -50,7 +38,7 @@ Figure map_figure(const Stability& study, MapAxis axis, bool by_step) {
   Figure figure;
   figure.name = map_figure_name(axis, by_step);
   figure.title = fmt::format("Outcomes over {} and {} ({})", by_step ? "step" : "tolerance",
-                             axis_in_words(study, axis), fixed_in_words(study, axis));
+                             axis_in_words(study, axis), place_in_words(study, axis));
   const int columns = std::min(most_columns, static_cast<int>(maps.size()));
   const int rows = (static_cast<int>(maps.size()) + columns - 1) / columns;
   figure.plot.title = figure.title;
@@ -350,7 +338,7 @@ std::vector<Figure> method_figures(const Stability& study) {
       figure.alt = "Maps of outcomes.";
     }
     Plot& plot = figures.back().plot;
-    plot.panels.push_back(map_panel(study, map, fixed_in_words(study, map.axis)));
+    plot.panels.push_back(map_panel(study, map, place_in_words(study, map.axis)));
     plot.height = 250 + 650 * static_cast<int>(plot.panels.size());
     Key key = map_key({&map});
     if (plot.key.lines.empty()) plot.key = std::move(key);

@@ -162,6 +162,17 @@ std::string parameter_text(const Stability& study, double value) {
   return study.parameter.empty() ? "" : fmt::format("{} = {:g}", study.parameter, value);
 }
 
+std::string place_in_words(const Stability& study, MapAxis axis) {
+  std::string text;
+  const auto add = [&](const std::string& part) {
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+  };
+  if (axis != MapAxis::parameter) add(parameter_text(study, study.parameter_value));
+  if (axis != MapAxis::elements) add(counted(study.elements, "element", "elements"));
+  if (axis != MapAxis::duration) add(fmt::format("{:g} s", study.end));
+  return text;
+}
+
 std::string value_text(const Stability& study, MapAxis axis, double value) {
   if (axis == MapAxis::parameter) return parameter_text(study, value);
   if (axis == MapAxis::elements) return counted(std::lround(value), "element", "elements");

@@ -49,6 +49,9 @@ std::string to_summary(const StabilityResults& results);
 /// "f = 5", or "" where no parameter is varied.
 std::string parameter_text(const Stability& study, double value);
 
+/// What maps over an axis have in common, which is not on it: "f = 5, 4 elements".
+std::string place_in_words(const Stability& study, MapAxis axis);
+
 /// What a value of a map stands for: "f = 5", "8 elements", "2 s".
 std::string value_text(const Stability& study, MapAxis axis, double value);
 

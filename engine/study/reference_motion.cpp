@@ -5,6 +5,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"
+#include "engine/study/node_distance.h"
 #include "engine/study/separation.h"
 
 namespace plumb {
@@ -41,16 +42,6 @@ double ReferenceMotion::horizon() const {
                   summary.trusted_until);
 }
 
-double together_until(const Trajectory& a, const Trajectory& b, double distance) {
-  double until = -1;
-  for (std::size_t k = 0; k < std::min(a.times.size(), b.times.size()); ++k) {
-    const double apart = (a.q[k].tail<6>().head<3>() - b.q[k].tail<6>().head<3>()).norm();
-    if (!(apart <= distance)) break;
-    until = a.times[k];
-  }
-  return until;
-}
-
 ReferenceMotion reference_motion(const Case& spec, double parameter, double tolerance, double time_limit) {
   // Far better than what is judged, and yet reached where neighbours part by some powers of ten.
   constexpr double share_of_tolerance = 1e-4;
@@ -72,7 +63,7 @@ ReferenceMotion reference_motion(const Case& spec, double parameter, double tole
   summary.frequency_at_worst =
       std::max(summary.frequency_at_start, greatest_frequency(cable, reference.trajectory.q));
   motion.trajectory = std::move(reference.trajectory);
-  motion.separation = separation(spec, parameter, tolerance);
+  motion.separation = separation(spec, parameter, tolerance, start_distance, time_limit);
   return motion;
 }
 

@@ -24,8 +24,4 @@ struct ReferenceMotion {
 /// reference.
 ReferenceMotion reference_motion(const Case& spec, double parameter, double tolerance, double time_limit);
 
-/// The time up to which the tips of two trajectories over the same outputs are within `distance` (m) of each
-/// other, s; -1: not even at the start.
-double together_until(const Trajectory& a, const Trajectory& b, double distance);
-
 }  // namespace plumb

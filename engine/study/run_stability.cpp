@@ -138,7 +138,7 @@ class StabilityStudy {
       const auto& [variant, motion] = tasks[at];
       Case spec = motion->spec;
       spec.time.end = loaded_.spec.time.end;
-      steps[at] = critical_step(spec, variant->method);
+      steps[at] = critical_step(spec, variant->method, long_limit());
       steps[at].label = variant->label;
       steps[at].parameter = motion->parameter;
       steps[at].limit_kind = limit_kind(variant->method);

@@ -48,4 +48,9 @@ const StudyKind& kind_of_study_json(const NamedText& json);
 ExitStatus work_precision_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
                                 const Options& options, Talk& talk);
 
+ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                           const Options& options, Talk& talk);
+ExitStatus stability_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                            const Options& options, Talk& talk);
+
 }  // namespace plumb
