@@ -13,9 +13,11 @@ struct Judgement {
   double judged_until = -1;  ///< s; -1: not judged
 };
 
-/// Judges a run by its reference up to `horizon` (s), the time up to which the reference can be trusted and
-/// neighbouring motions stay together. A run that goes beyond it is also held to the energy: one that changes
-/// by more than `energy_share` of the first kinetic energy is inaccurate.
+/// Judges a run by its reference on the same mesh, with the same outputs, up to `horizon` (s), the time up to
+/// which the reference can be trusted and neighbouring motions stay together. A run that goes beyond it is
+/// also held to the energy: one that changes by more than `energy_share` of the first kinetic energy is
+/// inaccurate. What is not a number is inaccurate; a completed run that cannot be held against the reference
+/// stays completed, with an error of -1.
 Judgement judge(const Trajectory& run, const Trajectory& reference, double tolerance, double horizon);
 
 /// For judge(), beyond the horizon.

@@ -1,0 +1,29 @@
+#include "engine/study/judge.h"
+
+#include <cmath>
+
+#include "engine/study/node_distance.h"
+
+namespace plumb {
+
+Judgement judge(const Trajectory& run, const Trajectory& reference, double tolerance, double horizon) {
+  Judgement result;
+  result.outcome = run.outcome;
+  if (run.outcome != Outcome::completed) return result;
+  result.error = node_distance(run, reference, horizon);
+  if (result.error < 0) return result;
+  for (std::size_t k = 0; k < run.times.size() && k < reference.times.size(); ++k)
+    if (run.times[k] <= horizon) result.judged_until = run.times[k];
+  // Written so that what is not a number is inaccurate.
+  bool accurate = result.error <= tolerance;
+  if (result.judged_until < run.times.back()) {
+    const double first = run.energies.front().total(), scale = run.kinetic_scale();
+    for (const Energies& energies : run.energies)
+      accurate =
+          accurate && std::isfinite(scale) && std::abs(energies.total() - first) <= energy_share * scale;
+  }
+  result.outcome = accurate ? Outcome::accurate : Outcome::inaccurate;
+  return result;
+}
+
+}  // namespace plumb
