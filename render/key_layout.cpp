@@ -33,6 +33,7 @@ KeyLayout key_layout(const Key& key, double top, double width, const PlotSizes& 
     KeyEntry entry;
     entry.category = category;
     entry.index = index;
+    if (label_of(key, entry).empty()) return;
     const double sample = (category ? 1.3 : 2.2) * sizes.legend.size;
     const double length = sample + 0.6 * sizes.gap + font.measure(label_of(key, entry), sizes.legend).width;
     if (x > left && x + length > right) {

@@ -47,7 +47,7 @@ struct Rule {
 
 /// A kind of cell, told by its colour and by its letter.
 struct CellCategory {
-  std::string label;   ///< in the key
+  std::string label;   ///< in the key; empty: not there
   std::string letter;  ///< in every cell, where there is room
   Color color;
 };

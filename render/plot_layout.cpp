@@ -322,16 +322,18 @@ PlotLayout stacked_layout(const Plot& plot, const Font& font, double key_height)
   return layout;
 }
 
-// The panels of one column as a plot of their own. A column that is short of one has an empty one, so that
-// rows are level.
+// The panels of one column as a plot of their own. A column that is short of one has an empty one with a
+// title, so that rows are level.
 Plot column_of(const Plot& plot, int column) {
   Plot part = plot;
   part.panels.clear();
   part.width = plot.width / plot.columns;
   const auto columns = static_cast<std::size_t>(plot.columns);
+  Panel filler;
+  if (!plot.panels.empty()) filler.title = plot.panels.back().title;
   for (std::size_t p = static_cast<std::size_t>(column);
        p < (plot.panels.size() + columns - 1) / columns * columns; p += columns)
-    part.panels.push_back(p < plot.panels.size() ? plot.panels[p] : Panel{});
+    part.panels.push_back(p < plot.panels.size() ? plot.panels[p] : filler);
   return part;
 }
 

@@ -91,9 +91,16 @@ Panel map_panel(const Stability& study, const OutcomeMap& map, const std::string
 
 Key map_key(const std::vector<const OutcomeMap*>& maps) {
   Key key;
-  // All of them keep their places; outcomes that do not occur are few.
+  const auto occurs = [&](Outcome outcome) {
+    return std::any_of(maps.begin(), maps.end(), [&](const OutcomeMap* map) {
+      return std::any_of(map->points.begin(), map->points.end(),
+                         [&](const StabilityPoint& point) { return point.outcome == outcome; });
+    });
+  };
+  // All of them keep their places; those that do not occur are not explained.
   for (const OutcomeStyle& style : outcome_styles())
-    key.categories.push_back({std::string(word(style.outcome)), style.letter, style.color});
+    key.categories.push_back(
+        {occurs(style.outcome) ? std::string(word(style.outcome)) : "", style.letter, style.color});
   if (std::any_of(maps.begin(), maps.end(), [](const OutcomeMap* map) { return has_limits(*map); }))
     key.lines = {limit_line(true), limit_line(false)};
   return key;

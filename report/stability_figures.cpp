@@ -32,6 +32,13 @@ std::string counts_in_words(const std::vector<const OutcomeMap*>& maps) {
   return outcomes_in_words(all);
 }
 
+/// A label without what the figure says of all its maps.
+std::string without_kind(const std::string& label) {
+  for (const std::string ending : {", fixed step", ", controlled step"})
+    if (label.ends_with(ending)) return label.substr(0, label.size() - ending.size());
+  return label;
+}
+
 Figure map_figure(const Stability& study, MapAxis axis, bool by_step) {
   const std::vector<const OutcomeMap*> maps = maps_over(study, axis, by_step);
   constexpr int most_columns = 4, row_height = 400, head = 260;
@@ -48,7 +55,7 @@ Figure map_figure(const Stability& study, MapAxis axis, bool by_step) {
   figure.plot.font_size = 30;
   figure.plot.key = map_key(maps);
   for (std::size_t k = 0; k < maps.size(); ++k)
-    figure.plot.panels.push_back(map_panel(study, *maps[k], maps[k]->label));
+    figure.plot.panels.push_back(map_panel(study, *maps[k], without_kind(maps[k]->label)));
   figure.alt = fmt::format("{} of outcomes, one a method, over {} from left to right and {} upwards: {}.",
                            counted(std::ssize(maps), "map", "maps"), by_step ? "step" : "tolerance",
                            axis_in_words(study, axis), counts_in_words(maps));
@@ -140,6 +147,7 @@ Figure limits_figure(const Stability& study) {
   }
   figure.plot.panels.push_back(limits_panel(study, MapAxis::elements));
   figure.plot.panels.back().title = parameter_text(study, study.parameter_value);
+  figure.plot.panels.back().legend = study.parameter.empty();
   double worst = 0;
   for (const CriticalStep& step : study.critical_steps)
     if (const double off = deviation(step); !std::isnan(off)) worst = std::max(worst, std::abs(off));
@@ -171,7 +179,7 @@ Figure energy_figure(const Stability& study) {
     }
     const std::size_t k = places.try_emplace(history.label, places.size()).first->second;
     Series series;
-    series.label = history.label;
+    series.label = without_kind(history.label);
     series.color = colour(k);
     series.dash = k < palette.size() ? Dash::solid : Dash::dashed;
     series.x = history.times;
@@ -201,8 +209,7 @@ Figure energy_figure(const Stability& study) {
           hi = std::max(hi, value);
         }
     // What blows up shows that it does; the others must show how they differ.
-    axis.range = {std::max(-1.05, lo - 0.05), std::clamp(hi + 0.05, 0.1, 1.5)};
-    if (!(axis.range->at(1) > axis.range->at(0))) axis.range.reset();
+    axis.range = {std::max(-0.3, lo - 0.05), std::clamp(1.1 * hi, 0.1, 1.5)};
   }
   figure.plot.panels.back().x.label = "time [s]";
   figure.plot.panels.back().shares_x_below = false;
@@ -226,7 +233,7 @@ Figure amplification_figure(const Stability& study) {
     const std::size_t k = place->second;
     if (fresh) {
       Series& line = lines.emplace_back();
-      line.label = mode.label;
+      line.label = without_kind(mode.label);
       line.color = colour(k);
       line.dash = k < palette.size() ? Dash::solid : k < 2 * palette.size() ? Dash::dashed : Dash::dotted;
       line.line_width = 0.7;
@@ -275,7 +282,10 @@ Figure separation_figure(const Stability& study) {
   by_parameter.title = counted(study.elements, "element", "elements");
   by_elements.title = parameter_text(study, study.parameter_value);
   std::string words;
-  for (const Separation& separation : study.separations) {
+  std::vector<Separation> sorted = study.separations;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Separation& a, const Separation& b) { return a.elements < b.elements; });
+  for (const Separation& separation : sorted) {
     Series series;
     series.x = separation.times;
     series.y = separation.distances;
@@ -340,9 +350,13 @@ std::vector<Figure> method_figures(const Stability& study) {
     Plot& plot = figures.back().plot;
     plot.panels.push_back(map_panel(study, map, place_in_words(study, map.axis)));
     plot.height = 250 + 650 * static_cast<int>(plot.panels.size());
-    Key key = map_key({&map});
-    if (plot.key.lines.empty()) plot.key = std::move(key);
     figures.back().alt += fmt::format(" Over {}: {}.", axis_in_words(study, map.axis), map.in_words);
+  }
+  for (Figure& figure : figures) {
+    std::vector<const OutcomeMap*> maps;
+    for (const OutcomeMap& map : study.maps)
+      if (map.label == figure.title) maps.push_back(&map);
+    figure.plot.key = map_key(maps);
   }
   return figures;
 }

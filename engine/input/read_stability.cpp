@@ -56,7 +56,7 @@ StabilitySpec default_stability(const std::map<std::string, double>& parameters,
   sort_out(spec.durations);
   spec.methods = dynamic_methods();
   spec.loosest_tolerance = 1e-2;
-  spec.tightest_tolerance = 1e-10;
+  spec.tightest_tolerance = 1e-8;
   spec.steps = 14;
   constexpr double share_of_length = 0.01;
   spec.tolerance = share_of_length * cable.length;

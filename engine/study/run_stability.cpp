@@ -40,7 +40,7 @@ class StabilityStudy {
                                       long_limit(), part("energies"));
     const auto said = part("amplification");
     said(0);
-    study.amplifications = mode_amplifications(variants_, loaded_.spec, {3, 5, 10, 20, 50});
+    study.amplifications = mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
     for (const ReferenceMotion* motion : all_motions()) {
       study.references.push_back(motion->summary);
       study.separations.push_back(motion->separation);
@@ -111,9 +111,12 @@ class StabilityStudy {
       (k <= parameters ? motions_.parameters : motions_.elements).push_back(std::move(motions[k]));
   }
 
+  /// Those over the parameter first, then those over the meshes, either with the case's own among them.
   std::vector<const ReferenceMotion*> all_motions() const {
     std::vector<const ReferenceMotion*> all{&motions_.base};
     for (const ReferenceMotion& motion : motions_.parameters) all.push_back(&motion);
+    std::sort(all.begin(), all.end(),
+              [](const ReferenceMotion* a, const ReferenceMotion* b) { return a->parameter < b->parameter; });
     for (const ReferenceMotion& motion : motions_.elements) all.push_back(&motion);
     return all;
   }

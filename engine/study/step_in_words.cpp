@@ -66,12 +66,14 @@ std::string step_in_words(const OutcomeMap& map, std::size_t at) {
                              : fmt::format("accurate up to {} of {}", what, text(accurate.to - 1));
   else
     words = fmt::format("accurate with {} from {} to {}", what, text(accurate.from), text(accurate.to - 1));
-  if (!stable.empty() && stable.to != accurate.to)
-    words += stable.to == n ? ", stable at all longer ones"
-                            : fmt::format(", stable up to {}", text(stable.to - 1));
-  if (!map.by_step && !stable.empty() && stable.to == n && stable.to != accurate.to)
-    words.replace(words.rfind("longer"), 6, "looser");
-  const std::size_t next = stable.empty() ? 0 : stable.to;
+  if (accurate.from > 0 && !accurate.empty())
+    words += fmt::format(" ({} at {})", word(map.points[at * n + accurate.from - 1].outcome),
+                         text(accurate.from - 1));
+  if (!stable.empty() && stable.to > accurate.to)
+    words += stable.to == n
+                 ? fmt::format(", stable up to the {}, {}", map.by_step ? "longest" : "loosest", text(n - 1))
+                 : fmt::format(", stable up to {}", text(stable.to - 1));
+  const std::size_t next = std::max(stable.to, accurate.to);
   if (next < n) words += fmt::format("; {} at {}", word(map.points[at * n + next].outcome), text(next));
   return words + limit_in_words(map, at);
 }
