@@ -153,9 +153,12 @@ std::string to_summary(const StabilityResults& results) {
   for (const OutcomeMap& map : study.maps)
     if (map.axis == MapAxis::elements)
       text += fmt::format("- {}: {}\n", escape_markdown(map.label), escape_markdown(map.in_words));
-  constexpr std::size_t room_for_verdicts = 20 * 1024;
-  if (text.size() > room_for_verdicts) text.resize(text.rfind('\n', room_for_verdicts) + 1);
-  return text + "\n" + verdict_table(results.verdicts);
+  // The verdicts, of bounded length themselves, go first where there is no room for both.
+  constexpr std::size_t most = 63 * 1024;
+  const std::string verdicts = "\n" + verdict_table(results.verdicts);
+  const std::size_t room = most - std::min(most, verdicts.size());
+  if (text.size() > room) text.resize(text.rfind('\n', room) + 1);
+  return text + verdicts;
 }
 
 std::string parameter_text(const Stability& study, double value) {

@@ -64,7 +64,7 @@ TEST(StabilityProgram, AnInvalidParameterValueIsRefusedBeforeAnythingRuns) {
       plumb_in(folder.path(), stability_command({"--set", "study.stability.parameter_values=[5,0]"}));
   EXPECT_EQ(ended.status, 3) << ended.err;
   EXPECT_NE(ended.err.find("cable.area"), std::string::npos) << ended.err;
-  EXPECT_FALSE(fs::exists(folder / "output"));
+  EXPECT_FALSE(fs::exists(folder / "output/pendulum_stability"));
 }
 
 TEST(StabilityProgram, InterruptedItLeavesNothing) {
@@ -73,7 +73,13 @@ TEST(StabilityProgram, InterruptedItLeavesNothing) {
       stability_command({"-o", "a", "--set", "time.end=20", "--set", "study.stability.durations=[20]"});
   command.insert(command.begin(), PLUMB_PROGRAM);
   const pid_t child = start(command, folder.path());
-  ::usleep(300000);
+  // Once its folder is in the making, it listens.
+  const auto made = [&] {
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      if (entry.is_directory()) return true;
+    return false;
+  };
+  while (!made() && ::waitpid(child, nullptr, WNOHANG) == 0) ::usleep(1000);
   ::kill(child, SIGINT);
   const Ended ended = finish(child, folder.path());
   EXPECT_EQ(ended.status, 130) << ended.out << ended.err;
