@@ -65,13 +65,16 @@ Json case_json(const LoadedCase& loaded) {
                    {"youngs_modulus", spec.cable.youngs_modulus},
                    {"second_moment", spec.cable.second_moment},
                    {"elements", spec.cable.elements},
+                   {"model", word(spec.cable.model)},
                    {"strain", word(spec.cable.strain)},
                    {"quadrature", word(spec.cable.quadrature)}};
   json["start"] = {{"direction", vector_json(spec.start.direction)},
                    {"angular_velocity", vector_json(spec.start.angular_velocity)},
-                   {"slope_rates", word(spec.start.slope_rates)}};
+                   {"slope_rates", word(spec.start.slope_rates)},
+                   {"axial_speed", spec.start.axial_speed}};
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
-  json["loads"] = {{"gravity", vector_json(spec.loads.gravity)}};
+  json["loads"] = {{"gravity", vector_json(spec.loads.gravity)},
+                   {"end_force", vector_json(spec.loads.end_force)}};
   json["method"] = method_json(spec.method);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
   json["text"] = loaded.source.file.text;

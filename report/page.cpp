@@ -122,14 +122,19 @@ data case_rows(const Case& spec) {
   rows.push_back(
       pair_row("bending stiffness EI", exact(cable.youngs_modulus * cable.second_moment) + " N m²"));
   rows.push_back(pair_row("mass per length ρA", exact(cable.density * cable.area) + " kg/m"));
+  rows.push_back(pair_row("model", std::string(word(cable.model))));
   rows.push_back(pair_row("strain model", std::string(word(cable.strain))));
-  rows.push_back(pair_row("quadrature", std::string(word(cable.quadrature))));
+  if (cable.model == CableModel::cable)
+    rows.push_back(pair_row("quadrature", std::string(word(cable.quadrature))));
   rows.push_back(pair_row("direction at the start", vector(spec.start.direction)));
   rows.push_back(pair_row("angular velocity at the start", vector(spec.start.angular_velocity) + " rad/s"));
   rows.push_back(pair_row("slope rates at the start", std::string(word(spec.start.slope_rates))));
   rows.push_back(
+      pair_row("axial speed of the last end at the start", exact(spec.start.axial_speed) + " m/s"));
+  rows.push_back(
       pair_row("supports", fmt::format("{} – {}", word(spec.supports.first), word(spec.supports.last))));
   rows.push_back(pair_row("gravity", vector(spec.loads.gravity) + " m/s²"));
+  rows.push_back(pair_row("force on the last end", vector(spec.loads.end_force) + " N"));
   std::string method = spec.method.name;
   if (spec.method.step) method += fmt::format(", step {:.6g} s", *spec.method.step);
   if (spec.method.rtol)
@@ -147,9 +152,11 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   const Trajectory& trajectory = run.trajectory;
 
   data formulation;
+  formulation["chain"] = spec.cable.model == CableModel::chain;
   formulation["green"] = spec.cable.strain == StrainModel::green_geometric;
   formulation["full"] = spec.cable.quadrature == QuadratureRule::full;
   const MethodInfo& method = *find_method(spec.method.name);
+  formulation["dynamic"] = method.dynamic;
   formulation["method"] = method.name;
   formulation["method_summary"] = method.summary;
   formulation["method_order"] = method.order;
@@ -157,6 +164,7 @@ std::string to_page(const Results& results, const Pictures& pictures) {
 
   data page;
   page["css"] = std::string(page_css) + (results.study ? std::string(study_css) : "");
+  page["dynamic"] = method.dynamic;
   page["title"] = spec.title;
   page["headline"] = headline(results);
   page["good"] = results.solved() && all_passed(results.verdicts);

@@ -15,6 +15,9 @@ std::string_view word_for(E value) {
 
 }  // namespace
 
+std::string_view word(CableModel value) {
+  return word_for(value);
+}
 std::string_view word(StrainModel value) {
   return word_for(value);
 }

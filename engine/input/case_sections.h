@@ -15,7 +15,7 @@ namespace plumb {
 
 CableSpec read_cable(TableReader table);
 StartSpec read_start(TableReader table);
-SupportsSpec read_supports(TableReader table);
+SupportsSpec read_supports(TableReader table, CableModel model);
 LoadsSpec read_loads(TableReader table);
 TimeSpec read_time(TableReader table);
 

@@ -19,6 +19,12 @@ template <class E>
 inline constexpr std::array<Word<E>, 0> words_of{};
 
 template <>
+inline constexpr std::array words_of<CableModel>{
+    Word<CableModel>{CableModel::cable, "cable"},
+    Word<CableModel>{CableModel::chain, "chain"},
+};
+
+template <>
 inline constexpr std::array words_of<StrainModel>{
     Word<StrainModel>{StrainModel::green_geometric, "green-geometric"},
     Word<StrainModel>{StrainModel::engineering_material, "engineering-material"},

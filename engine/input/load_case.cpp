@@ -10,6 +10,7 @@
 #include "engine/input/override.h"
 #include "engine/input/parameters.h"
 #include "engine/input/table_reader.h"
+#include "engine/integrate/method_info.h"
 
 namespace plumb {
 namespace {
@@ -49,10 +50,15 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.parameters = parameters.values();
   spec.cable = read_cable(cable);
   spec.start = read_start(start);
-  spec.supports = read_supports(supports);
+  spec.supports = read_supports(supports, spec.cable.model);
   spec.loads = read_loads(loads);
   spec.time = read_time(time);
   spec.method = read_method(method, spec.time);
+  if (!find_method(spec.method.name)->dynamic) {
+    const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
+    if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
+    if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
+  }
   spec.probes = read_probes(probes);
   ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
   spec.references = std::move(read.uses);

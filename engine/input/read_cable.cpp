@@ -27,12 +27,17 @@ CableSpec read_cable(TableReader table) {
   cable.youngs_modulus = table.number("youngs_modulus", Range::positive("Pa"));
   const auto second_moment = table.optional_number("second_moment", Range::at_least(0, "m⁴"));
   cable.elements = static_cast<int>(table.number("elements", Range::whole_between(1, most_elements)));
+  cable.model = table.choice<CableModel>("model", CableModel::cable);
   cable.strain = table.choice<StrainModel>("strain", StrainModel::green_geometric);
   cable.quadrature = table.choice<QuadratureRule>("quadrature", QuadratureRule::full);
   table.finish();
+  if (cable.model == CableModel::chain) {
+    for (const char* key : {"second_moment", "quadrature"})
+      if (table.has(key)) table.refuse_value(key, "not a key of a chain, whose links only stretch");
+  }
 
   const double circular = cable.area * cable.area / (4 * std::numbers::pi);
-  cable.second_moment = second_moment.value_or(circular);
+  cable.second_moment = cable.model == CableModel::chain ? 0 : second_moment.value_or(circular);
   check_product(table, cable.density * cable.area * cable.length, "density",
                 "the mass, density × area × length,");
   check_product(table, cable.youngs_modulus * cable.area, "youngs_modulus",

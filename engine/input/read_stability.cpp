@@ -27,14 +27,14 @@ void sort_out(std::vector<T>& values) {
 std::vector<std::string> dynamic_methods() {
   std::vector<std::string> names;
   for (const MethodInfo& info : method_infos())
-    if (info.takes_step || info.takes_tolerances) names.push_back(info.name);
+    if (info.dynamic) names.push_back(info.name);
   return names;
 }
 
 std::vector<std::string> methods_with_steps() {
   std::vector<std::string> names;
   for (const MethodInfo& info : method_infos())
-    if (info.takes_step) names.push_back(info.name);
+    if (info.dynamic && info.takes_step) names.push_back(info.name);
   return names;
 }
 

@@ -22,7 +22,8 @@ StudyExtent default_extent(const CableSpec& cable) {
   StudyExtent extent;
   extent.elements = {4, 8, 16, 32};
   include(extent.elements, cable.elements);
-  for (const MethodInfo& info : method_infos()) extent.methods.push_back(info.name);
+  for (const MethodInfo& info : method_infos())
+    if (info.dynamic) extent.methods.push_back(info.name);
   extent.points = 10;
   extent.repeats = 5;
   extent.time_limit = 2;
@@ -50,7 +51,8 @@ void read_extent(TableReader& table, const CableSpec& cable, StudyExtent& extent
     include(extent.elements, cable.elements);
   }
   std::vector<std::string> names;
-  for (const MethodInfo& info : method_infos()) names.push_back(info.name);
+  for (const MethodInfo& info : method_infos())
+    if (info.dynamic) names.push_back(info.name);
   if (const auto methods = table.choices("methods", names)) {
     extent.methods.clear();
     for (std::size_t k = 0; k < names.size(); ++k)

@@ -16,7 +16,7 @@ class Dynamics {
   const Cable& cable() const { return cable_; }
   int size() const { return cable_.size(); }
 
-  /// f := forces on the cable (gravity and elastic), with those that the supports take up set to 0.
+  /// f := forces on the cable (external and elastic), with those that the supports take up set to 0.
   void force(const Eigen::VectorXd& q, Eigen::VectorXd& f);
 
   /// a := dv/dt, consistent with the supports.

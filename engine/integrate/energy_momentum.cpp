@@ -10,7 +10,7 @@ namespace {
 
 /// The energy-momentum method of Simo and Tarnow (1992) with a discrete gradient (Gonzalez 1996) in the place
 /// of the gradient at the midpoint:
-///   M (vₙ₊₁ − vₙ)/h = −D(qₙ, qₙ₊₁) + gravity,   (qₙ₊₁ − qₙ)/h = ½ (vₙ + vₙ₊₁).
+///   M (vₙ₊₁ − vₙ)/h = −D(qₙ, qₙ₊₁) + f_ext,   (qₙ₊₁ − qₙ)/h = ½ (vₙ + vₙ₊₁).
 /// The work of D is the change of strain energy, so that the total energy changes by no more than what
 /// Newton's iteration leaves over, whatever the step.
 class EnergyMomentum : public OneStepMethod {
@@ -50,7 +50,7 @@ class EnergyMomentum : public OneStepMethod {
         return {Outcome::singular, "the slope collapsed within Newton's iteration", *element};
       }
       cable.mass().multiply(x_, inertia_);
-      residual_ += cable.gravity_force() - inertia_;
+      residual_ += cable.external_force() - inertia_;
       cable.supports().apply(residual_);
       return {};
     };

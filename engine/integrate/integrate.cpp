@@ -9,6 +9,7 @@
 
 #include "engine/integrate/monitor.h"
 #include "engine/interrupt.h"
+#include "engine/model/support_constraints.h"
 
 namespace plumb {
 namespace {
@@ -25,6 +26,7 @@ void record(const Cable& cable, double t, const State& state, Trajectory& trajec
   trajectory.times.push_back(t);
   trajectory.q.push_back(state.q);
   trajectory.v.push_back(state.v);
+  cable.set_output_slopes(trajectory.q.back(), trajectory.v.back());
   trajectory.energies.push_back(cable.energies(state.q, state.v));
 }
 
@@ -34,11 +36,9 @@ void record_constraints(const Cable& cable, const Method& method, double t, Eige
   method.constraint_forces(t, lambda);
   if (lambda.size() == 0) return;
   trajectory.multipliers.push_back(lambda);
-  Eigen::VectorXd held = trajectory.q.back() - trajectory.q.front();
-  Eigen::VectorXd admissible = held;
-  cable.supports().apply(admissible);
-  held -= admissible;
-  trajectory.constraint_drift = std::max(trajectory.constraint_drift, held.norm());
+  const SupportConstraints constraints(cable.supports().spec(), cable.supports().direction(), cable.nodes());
+  const Eigen::VectorXd moved = trajectory.q.back() - trajectory.q.front();
+  trajectory.constraint_drift = std::max(trajectory.constraint_drift, constraints.apply(moved).norm());
 }
 
 /// Of this thread, s. Unlike time on the clock it does not depend on what else the machine does, so that
@@ -81,7 +81,8 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   result.element_length = cable.element().length();
 
   Dynamics dynamics(cable);
-  const Monitor monitor(cable, start);
+  const MethodInfo* info = find_method(method.name);
+  const Monitor monitor(cable, start, info == nullptr || info->dynamic);
   const std::vector<double> outputs = output_times(time);
   const double near = same_time * time.output_interval;
   State between = start;

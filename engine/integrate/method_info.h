@@ -26,9 +26,10 @@ enum class MethodFamily {
   implicit_stages,    ///< several implicit stages a step, of high order
   multistep,          ///< uses earlier steps: Adams, backward differentiation
   constrained,        ///< carries the supports as constraints with multipliers
+  quasi_static,       ///< no motion: equilibrium under a growing load
 };
 
-/// "explicit", "structural", "implicit stages", "multistep", "constrained".
+/// "explicit", "structural", "implicit stages", "multistep", "constrained", "static".
 std::string_view word(MethodFamily);
 
 /// What a method is and takes: the same words serve the case reader, `plumb doctor` and the report.
@@ -41,6 +42,7 @@ struct MethodInfo {
   std::string use;        ///< when to choose it, one phrase
   MethodFamily family = MethodFamily::explicit_one_step;
   bool implicit = false;
+  bool dynamic = true;  ///< integrates motion; one that does not has no place among those that do
   /// Which of [method] step and rtol/atol it takes. A method that takes both is given one: a step is kept, a
   /// tolerance makes the method choose its steps.
   bool takes_step = false;

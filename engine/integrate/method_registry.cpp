@@ -17,11 +17,13 @@ MethodEntry hht_entry();
 MethodEntry generalized_alpha_entry();
 MethodEntry implicit_midpoint_entry();
 MethodEntry energy_momentum_entry();
+MethodEntry bdf_entry();
 MethodEntry cvode_bdf_entry();
 MethodEntry cvode_adams_entry();
 MethodEntry arkode_dirk_entry();
 MethodEntry gauss_entry();
 MethodEntry ida_entry();
+MethodEntry statics_entry();
 
 namespace {
 
@@ -40,9 +42,11 @@ const std::vector<MethodEntry>& entries() {
       energy_momentum_entry(),
       arkode_dirk_entry(),
       gauss_entry(),
+      bdf_entry(),
       cvode_adams_entry(),
       cvode_bdf_entry(),
       ida_entry(),
+      statics_entry(),
   };
   return all;
 }
@@ -70,6 +74,8 @@ std::string_view word(MethodFamily family) {
       return "multistep";
     case MethodFamily::constrained:
       return "constrained";
+    case MethodFamily::quasi_static:
+      return "static";
   }
   return "";
 }

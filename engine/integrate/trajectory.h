@@ -38,12 +38,13 @@ struct Counters {
   long newton_iterations = -1;
 };
 
-/// Energies at one time, J. Potential energy is that of gravity, 0 at the origin.
+/// Energies at one time, J. Potential energy is that of gravity and of the end force, 0 at
+/// the origin.
 struct Energies {
   double kinetic = 0;
   double axial = 0;    ///< strain energy of stretching
   double bending = 0;  ///< strain energy of bending
-  double potential = 0;
+  double potential = 0;  ///< of gravity and of the end force
 
   double total() const { return kinetic + axial + bending + potential; }
 };

@@ -18,6 +18,7 @@ struct ElementConstants {
   double gravity[3] = {0, 0, 0};  ///< m/s²
   bool green = true;              ///< green-geometric, else engineering-material
   bool full = true;               ///< full quadrature, else reduced
+  bool lumped = false;            ///< half of the mass at either end, else consistent; not read by `force`
 };
 
 /// A node's part in the L D Lᵀ of the scalar mass matrix: the 2 by 2 multipliers of (r, g) of the node in the

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/model/hermite.h"
 
@@ -11,6 +12,7 @@ namespace plumb {
 Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
       gravity_(spec.loads.gravity),
+      end_force_(spec.loads.end_force),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain),
@@ -20,13 +22,16 @@ Cable::Cable(const Case& spec)
                  spec.cable.density * spec.cable.area,
                  {gravity_.x(), gravity_.y(), gravity_.z()},
                  spec.cable.strain == StrainModel::green_geometric,
-                 spec.cable.quadrature == QuadratureRule::full},
-      supports_(spec.supports, spec.start.direction, spec.cable.elements + 1),
+                 spec.cable.quadrature == QuadratureRule::full,
+                 spec.cable.model == CableModel::chain},
+      chain_(spec.cable.model == CableModel::chain ? std::optional<Chain>(constants_) : std::nullopt),
+      supports_(spec.supports, spec.start.direction, spec.cable.elements + 1, spec.cable.model),
       mass_(constants_, elements_, supports_) {
   // A uniform acceleration is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = gravity_;
-  mass_.multiply(uniform, gravity_force_);
+  mass_.multiply(uniform, external_force_);
+  external_force_.segment<3>(6 * elements_) += end_force_;
 }
 
 Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
@@ -44,6 +49,11 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
   for (int node = 0; node < nodes(); ++node) {
     v.segment<3>(6 * node) = element_.length() * node * turn;
     v.segment<3>(6 * node + 3) = start.slope_rates == SlopeRates::rigid ? turn : Vec3::Zero();
+    // u(s) = sin(πs/2) and its derivative along the cable.
+    const double phase = 0.5 * std::numbers::pi * node / elements_;
+    v.segment<3>(6 * node) += start.axial_speed * std::sin(phase) * start.direction;
+    v.segment<3>(6 * node + 3) +=
+        start.axial_speed * (0.5 * std::numbers::pi / length()) * std::cos(phase) * start.direction;
   }
   supports_.apply(v);
   return v;
@@ -51,21 +61,40 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
 
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
   f.resize(q.size());
+  if (chain_) {
+    f = external_force_;
+    return chain_->subtract_gradient(q, f);
+  }
   const int collapsed = best_kernels().force(constants_, elements_, q.data(), f.data());
+  f.segment<3>(6 * elements_) += end_force_;
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
 void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
                    BlockTridiagonal& A) const {
-  best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
+  if (chain_)
+    chain_->system(q, mass_factor, stiffness_factor, A);
+  else
+    best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
 }
 
 Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
   Energies result;
-  result.kinetic = mass_.kinetic_energy(v);
-  best_kernels().energy(constants_, elements_, q.data(), &result.axial, &result.bending);
-  result.potential = -gravity_force_.dot(q);
+  if (chain_) {
+    result.kinetic = chain_->kinetic_energy(v);
+    result.axial = chain_->strain_energy(q);
+  } else {
+    result.kinetic = mass_.kinetic_energy(v);
+    best_kernels().energy(constants_, elements_, q.data(), &result.axial, &result.bending);
+  }
+  result.potential = -external_force_.dot(q);
   return result;
+}
+
+void Cable::set_output_slopes(Eigen::VectorXd& q, Eigen::VectorXd& v) const {
+  if (!chain_) return;
+  chain_->set_slopes(q);
+  chain_->set_slopes(v);
 }
 
 Cable::Place Cable::place(double s) const {
@@ -77,6 +106,10 @@ Cable::Place Cable::place(double s) const {
 CablePoint Cable::at(const Eigen::VectorXd& q, double s) const {
   const auto [element, x] = place(s);
   const double l = element_.length();
+  if (chain_) {
+    const Vec3 r0 = q.segment<3>(6 * element), r1 = q.segment<3>(6 * element + 6);
+    return {(1 - x) * r0 + x * r1, (r1 - r0) / l, Vec3::Zero()};
+  }
   const auto combine = [&, e = element](const std::array<double, 4>& shape) {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 4; ++i) sum += shape[static_cast<std::size_t>(i)] * q.segment<3>(6 * e + 3 * i);

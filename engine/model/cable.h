@@ -7,6 +7,7 @@
 #include "engine/integrate/trajectory.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"
+#include "engine/model/chain.h"
 #include "engine/model/element.h"
 #include "engine/model/mass.h"
 #include "engine/model/supports.h"
@@ -20,9 +21,10 @@ struct CablePoint {
   Vec3 bend;      ///< r'', 1/m
 };
 
-/// The discrete cable: a chain of equal elements with supports and gravity. Its coordinates q hold r (m) and
-/// r' (1) of each node in turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable
-/// never changes and may be shared between threads.
+/// The discrete cable: equal elements one after the other, or the links of a chain (CableModel), with
+/// supports, gravity and a force on its last end. Its coordinates q hold r (m) and r' (1) of each node in
+/// turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable never changes and may be
+/// shared between threads.
 class Cable {
  public:
   explicit Cable(const Case& spec);
@@ -32,6 +34,11 @@ class Cable {
   int size() const { return 6 * nodes(); }
   double length() const { return element_.length() * elements_; }
   double weight() const { return constants_.mass_per_length * length() * gravity_.norm(); }  ///< N
+  /// Weight and end force together, N; times the length, the energy that they can release.
+  double load() const { return weight() + end_force_.norm(); }
+
+  /// The links, where the cable is modelled as a chain; else nothing.
+  const std::optional<Chain>& chain() const { return chain_; }
 
   const Element& element() const { return element_; }
   /// The same element for the kernels.
@@ -41,15 +48,16 @@ class Cable {
 
   /// Straight, unstretched, turning with the angular velocity of the case.
   Eigen::VectorXd start_q(const StartSpec& start) const;
-  /// The rates at the start, with what the supports hold set to 0.
+  /// The rates at the start, those of the rotation and of the axial speed together, with what the supports
+  /// hold set to 0.
   Eigen::VectorXd start_v(const StartSpec& start) const;
 
-  /// The weight of the cable on its coordinates, N and N m.
-  const Eigen::VectorXd& gravity_force() const { return gravity_force_; }
+  /// The weight of the cable and the force on its last end, on its coordinates, N and N m.
+  const Eigen::VectorXd& external_force() const { return external_force_; }
 
-  /// f := gravity minus elastic force; the forces of the supports are not in it. Returns an element whose
-  /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point), for which f is incomplete; nothing
-  /// if all is well.
+  /// f := external minus elastic force; the forces of the supports are not in it. Returns an element whose
+  /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point; of a link, λ ≤ slope_floor), for
+  /// which f is incomplete; nothing if all is well.
   std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
 
   /// A := mass_factor · M + stiffness_factor · K(q) with K = −∂f/∂q, without supports.
@@ -58,7 +66,11 @@ class Cable {
 
   Energies energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
 
-  /// The cable at the fraction s in [0, 1] of its length.
+  /// For outputs: gives the slopes of a chain and their rates what the links beside them have. The slopes of
+  /// a cable stay as they are.
+  void set_output_slopes(Eigen::VectorXd& q, Eigen::VectorXd& v) const;
+
+  /// The cable at the fraction s in [0, 1] of its length; a chain is straight between its nodes.
   CablePoint at(const Eigen::VectorXd& q, double s) const;
   /// Interpolates any nodal field (such as v) at s, the way positions are.
   Vec3 interpolate(const Eigen::VectorXd& nodal, double s) const;
@@ -71,12 +83,13 @@ class Cable {
   Place place(double s) const;
 
   int elements_;
-  Vec3 gravity_;
+  Vec3 gravity_, end_force_;
   Element element_;
   ElementConstants constants_;
+  std::optional<Chain> chain_;
   SupportProjection supports_;
   MassMatrix mass_;
-  Eigen::VectorXd gravity_force_;
+  Eigen::VectorXd external_force_;
 };
 
 }  // namespace plumb

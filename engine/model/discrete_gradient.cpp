@@ -56,7 +56,8 @@ DiscreteGradient::DiscreteGradient(const Cable& cable)
     : elements_(cable.elements()),
       axial_stiffness_(cable.constants().axial_stiffness),
       bending_stiffness_(cable.constants().bending_stiffness),
-      green_(cable.constants().green) {
+      green_(cable.constants().green),
+      chain_(cable.chain()) {
   const double l = cable.constants().length;
   const bool full = cable.constants().full;
   const auto points = [&](std::span<const QuadraturePoint> rule) {
@@ -70,6 +71,24 @@ DiscreteGradient::DiscreteGradient(const Cable& cable)
 }
 
 bool DiscreteGradient::add_element(const double* q0, const double* q1, Vector12& D, Matrix12* K) const {
+  if (chain_) {
+    const Link& link = chain_->link();
+    const auto chord = [](const double* q) -> Vec3 {
+      return Eigen::Map<const Vec3>(q + 6) - Eigen::Map<const Vec3>(q);
+    };
+    const Vec3 d0 = chord(q0), d1 = chord(q1);
+    if (!link.is_whole(d0) || !link.is_whole(d1)) return false;
+    const Vec3 pull = link.discrete_gradient(d0, d1);
+    D.segment<3>(0) -= pull;
+    D.segment<3>(6) += pull;
+    if (K == nullptr) return true;
+    const Matrix3 H = link.discrete_tangent(d0, d1);
+    K->block<3, 3>(0, 0) += H;
+    K->block<3, 3>(6, 6) += H;
+    K->block<3, 3>(0, 6) -= H;
+    K->block<3, 3>(6, 0) -= H;
+    return true;
+  }
   const double floor = slope_floor * slope_floor;
   const auto add_force = [&](const std::array<double, 4>& s, const Vec3& f) {
     for (int i = 0; i < 4; ++i) D.segment<3>(3 * i) += s[static_cast<std::size_t>(i)] * f;

@@ -9,11 +9,12 @@
 
 namespace plumb {
 
-/// A discrete gradient D(q₀, q₁) of the strain energy U of a chain (Gonzalez 1996): D · (q₁ − q₀) = U(q₁) −
+/// A discrete gradient D(q₀, q₁) of the strain energy U of a cable (Gonzalez 1996): D · (q₁ − q₀) = U(q₁) −
 /// U(q₀) exactly, D(q, q) = ∂U/∂q, and no net force or moment. At each integration point the energy is a
 /// function of a = r'·r', b = r''·r'' and d = r'·r'', whose differences are exact with the mean of r' and
 /// r'': it is split into sums and products, for which mean and difference quotient are taken algebraically,
-/// so that nothing is divided by a difference that may vanish.
+/// so that nothing is divided by a difference that may vanish. Of a
+/// chain it is that of its links.
 class DiscreteGradient {
  public:
   explicit DiscreteGradient(const Cable& cable);
@@ -42,6 +43,7 @@ class DiscreteGradient {
   int elements_;
   double axial_stiffness_, bending_stiffness_;
   bool green_;
+  std::optional<Chain> chain_;
   std::vector<Point> axial_, bending_;
 };
 

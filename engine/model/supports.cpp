@@ -17,8 +17,9 @@ Block6 node_projection(Support support, const Vec3& direction) {
 
 }  // namespace
 
-SupportProjection::SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes)
-    : supports_(supports), direction_(direction), nodes_(nodes) {}
+SupportProjection::SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes,
+                                     CableModel model)
+    : supports_(supports), direction_(direction), nodes_(nodes), slopes_held_(model == CableModel::chain) {}
 
 void SupportProjection::apply(Eigen::VectorXd& x) const {
   const auto hold = [&](Support support, int node) {
@@ -31,6 +32,8 @@ void SupportProjection::apply(Eigen::VectorXd& x) const {
   };
   hold(supports_.first, 0);
   hold(supports_.last, nodes_ - 1);
+  if (!slopes_held_) return;
+  for (int node = 0; node < nodes_; ++node) x.segment<3>(6 * node + 3).setZero();
 }
 
 void SupportProjection::apply(BlockTridiagonal& A) const {
@@ -46,6 +49,9 @@ void SupportProjection::apply(BlockTridiagonal& A) const {
   };
   hold(supports_.first, 0);
   hold(supports_.last, nodes_ - 1);
+  if (!slopes_held_) return;
+  // Slopes are coupled to nothing.
+  for (int node = 0; node < nodes_; ++node) A.diagonal(node).bottomRightCorner<3, 3>().setIdentity();
 }
 
 void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
@@ -62,6 +68,8 @@ void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
   };
   hold(supports_.first, 0);
   hold(supports_.last, nodes_ - 1);
+  if (!slopes_held_) return;
+  for (Block6& diagonal : A.diagonal) diagonal.bottomRightCorner<3, 3>().setIdentity();
 }
 
 }  // namespace plumb

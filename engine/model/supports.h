@@ -12,11 +12,13 @@ struct GeneralBlockTridiagonal;
 
 /// What the supports hold, as a projection P on the admissible rates of the nodal coordinates (6 a node: r,
 /// r'). `pinned` holds r; `clamped` holds r and the part of r' across the direction of the straight cable, so
-/// that the clamped end can still stretch. Supports do not move: a held coordinate keeps its value.
+/// that the clamped end can still stretch. The slopes of a chain, which are no unknowns, are held at every
+/// node. Supports do not move: a held coordinate keeps its value.
 class SupportProjection {
  public:
   /// `direction`: unit vector of the straight cable; only used where an end is clamped.
-  SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes);
+  SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes,
+                    CableModel model = CableModel::cable);
 
   /// x := P x, for rates, accelerations or forces.
   void apply(Eigen::VectorXd& x) const;
@@ -32,6 +34,7 @@ class SupportProjection {
   SupportsSpec supports_;
   Vec3 direction_;
   int nodes_;
+  bool slopes_held_;
 };
 
 }  // namespace plumb

@@ -57,7 +57,7 @@ TEST(CaseFaults, AnUnknownKeyOrTableIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:6:1: cable.lenght = 2.0: unknown key; did you mean \"length\"?"},
       {"length = 2.0", "length = 2.0\ncolour = \"red\"",
        "case.toml:7:1: cable.colour = \"red\": unknown key; known: length, area, density, youngs_modulus, "
-       "second_moment, elements, strain, quadrature"},
+       "second_moment, elements, model, strain, quadrature"},
       {"[cable]", "[cabel]", "case.toml:5:2: cabel: unknown table; did you mean \"cable\"?"},
       {"[parameters]", "[paramters]",
        "case.toml:2:2: paramters: unknown table; did you mean \"parameters\"?"},

@@ -8,6 +8,7 @@ namespace plumb {
 namespace {
 
 TEST(CaseWords, AreThoseOfTheCaseFiles) {
+  EXPECT_EQ(word(CableModel::chain), "chain");
   EXPECT_EQ(word(StrainModel::engineering_material), "engineering-material");
   EXPECT_EQ(word(QuadratureRule::reduced), "reduced");
   EXPECT_EQ(word(Support::clamped), "clamped");
@@ -23,6 +24,7 @@ void expect_unique() {
 }
 
 TEST(CaseWords, AreEachUsedOnce) {
+  expect_unique<CableModel>();
   expect_unique<StrainModel>();
   expect_unique<QuadratureRule>();
   expect_unique<Support>();

@@ -55,7 +55,7 @@ TEST_P(DiscreteGradientOf, IsTheGradientWhereBothStatesAreOne) {
   Eigen::VectorXd f, exact;
   gradient.force(q, q, f);
   with.force(q, exact);
-  exact -= with.gravity_force();
+  exact -= with.external_force();
   EXPECT_LE((f - exact).norm(), 1e-13 * exact.norm());
 }
 

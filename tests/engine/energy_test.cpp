@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/integrate/monitor.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
@@ -74,6 +75,38 @@ TEST(Energy, DriftOfAStartFromRestIsHeldAgainstTheGreatestKineticEnergy) {
   trajectory.energies[1].kinetic = std::nan("");
   EXPECT_EQ(trajectory.relative_energy_drift(), -1) << "what cannot be told is not 0";
   EXPECT_EQ(Trajectory{}.relative_energy_drift(), -1);
+}
+
+TEST(Energy, EnergyMomentumKeepsItUnderAForceOnTheEnd) {
+  Case spec = pendulum(5, 4);
+  spec.loads.end_force = {0.05, 0.02, -0.03};
+  const Trajectory kept = run(spec, method("energy-momentum", 1e-2), {5, 0.1});
+  ASSERT_EQ(kept.outcome, Outcome::completed) << kept.message;
+  EXPECT_LE(kept.energy_drift(), 1e-10 * kept.kinetic_scale());
+  double least = 0;
+  for (const Energies& e : kept.energies) least = std::min(least, e.potential);
+  EXPECT_LT(least, kept.energies.front().potential - 0.02) << "the force did no work worth keeping, J";
+}
+
+TEST(Energy, PotentialEnergyFallsByTheForceOnTheEndTimesItsWay) {
+  Case spec = pendulum(5, 4);
+  spec.loads = {.gravity = {0, 0, 0}, .end_force = {2, -3, 4}};
+  const Cable cable(spec);
+  Eigen::VectorXd q = cable.start_q(spec.start);
+  const double before = cable.energies(q, q).potential;
+  q.tail<6>().head<3>() += Vec3(0.1, 0.2, 0.5);
+  EXPECT_NEAR(cable.energies(q, q).potential - before, -(0.2 - 0.6 + 2.0), 1e-14);
+}
+
+TEST(Energy, WhatTheForceOnTheEndCanReleaseIsAtHand) {
+  Case spec = pendulum(5, 4);
+  const auto at_hand = [&] {
+    const Cable cable(spec);
+    return Monitor(cable, {0, cable.start_q(spec.start), cable.start_v(spec.start)}).energies_at_hand();
+  };
+  const double without = at_hand();
+  spec.loads.end_force = {2, -3, 6};
+  EXPECT_NEAR(at_hand() - without, 7 * spec.cable.length, 1e-12);
 }
 
 TEST(Energy, PotentialEnergyFallsByWeightTimesHeight) {

@@ -47,7 +47,8 @@ TEST(MethodOrder, ImplicitEulerIsOfOrderOne) {
 
 TEST(MethodOrder, GeneralizedAlphaIsOfOrderTwoAtEveryDamping) {
   for (const double rho : {1.0, 0.8, 0.5, 0.0})
-    expect_order("generalized-alpha", 5e-4, 2, 0.15, {{"spectral_radius", rho}});
+    for (const double mean : {0.0, 1.0})
+      expect_order("generalized-alpha", 5e-4, 2, 0.15, {{"spectral_radius", rho}, {"mean_forces", mean}});
 }
 
 // A start from any other than the true acceleration, or old forces left out, would show as order one.

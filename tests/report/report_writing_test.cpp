@@ -152,6 +152,35 @@ TEST(Page, LeavesNoTemplateTagBehind) {
   EXPECT_EQ(page.find("}}"), std::string::npos);
 }
 
+TEST(Page, SaysWhatTheCableIsModelledAsAndWhetherItMoves) {
+  plumb::Run run = run_with("a");
+  const auto says = [&](const char* text) {
+    return to_page(evaluate(run, {}), {}).find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(says("The gradient-deficient element"));
+  EXPECT_TRUE(says("The equations of motion are"));
+  EXPECT_FALSE(says("A chain of straight links"));
+  run.loaded.spec.cable.model = CableModel::chain;
+  EXPECT_FALSE(says("The gradient-deficient element"));
+  EXPECT_TRUE(says("The equations of motion are"));
+  EXPECT_TRUE(says("A chain of straight links"));
+  EXPECT_FALSE(says("There is no motion"));
+  run.loaded.spec.method.name = "statics";
+  EXPECT_FALSE(says("The equations of motion are"));
+  EXPECT_FALSE(says("The first kinetic energy"));
+  EXPECT_TRUE(says("There is no motion"));
+}
+
+TEST(Results, JsonHoldsTheLoadsAndTheModel) {
+  const plumb::Run run = run_with("a",
+                                  "[loads]\nend_force = [1, 2, 3]\n[start]\naxial_speed = 4\n"
+                                  "[supports]\nfirst = \"pinned\"\n");
+  const nlohmann::json json = nlohmann::json::parse(to_json(evaluate(run, {})))["case"];
+  EXPECT_EQ(json["loads"]["end_force"], (nlohmann::json{1.0, 2.0, 3.0})) << json["loads"];
+  EXPECT_EQ(json["start"]["axial_speed"], 4.0);
+  EXPECT_EQ(json["cable"]["model"], "cable");
+}
+
 TEST(Results, JsonHoldsEveryNumberOfTheVerdict) {
   const nlohmann::json json = nlohmann::json::parse(to_json(evaluate(run_with("a"), {})));
   EXPECT_EQ(json["schema_version"], results_version);

@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "engine/model/compression_limit.h"
+#include "tests/engine/pendulum.h"
+
+namespace plumb {
+namespace {
+
+/// At rest along x, unloaded, without gravity, with its first end clamped.
+Case cantilever(double length, double area, double second_moment, double youngs_modulus, int elements) {
+  Case spec;
+  spec.title = "statics";
+  spec.cable = {.length = length,
+                .area = area,
+                .density = 1000,
+                .youngs_modulus = youngs_modulus,
+                .second_moment = second_moment,
+                .elements = elements};
+  spec.supports.first = Support::clamped;
+  return spec;
+}
+
+Trajectory settle(const Case& spec, int load_steps) {
+  return run(spec, method("statics", 1.0 / load_steps), {1, 1});
+}
+
+// Gerstmayr and Irschik (2008) print 0.5089228704 and 1.2083981311 for Green's strain; all figures are those
+// of a shooting solution of the continuum.
+TEST(Statics, CantileverBendsAsTheContinuumDoesAtTheOrderOfTheMesh) {
+  struct Known {
+    StrainModel strain;
+    double ux, uy;
+  };
+  for (const Known& known : {Known{StrainModel::green_geometric, 0.508922870415, 1.208398131108},
+                             Known{StrainModel::engineering_material, 0.508537304326, 1.207239854550}}) {
+    std::string seen(word(known.strain));
+    double previous = 0, error = 0;
+    for (const int elements : {16, 32, 64}) {
+      const double I = 1e-4 / 12, E = 2.07e11;
+      Case spec = cantilever(2, 1e-2, I, E, elements);
+      spec.cable.strain = known.strain;
+      spec.loads.end_force = {0, 3 * E * I / 4, 0};
+      const Trajectory trajectory = settle(spec, 4);
+      ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+      error = std::hypot(2 - tip(trajectory).x() - known.ux, tip(trajectory).y() - known.uy);
+      seen += fmt::format("\n  {} elements: tip {:.3g} m off", elements, error);
+      if (previous > 0) {
+        const double order = std::log2(previous / error);
+        seen += fmt::format(", order {:.2f}", order);
+        // From above: the coarse meshes are not yet where their error is its leading term.
+        EXPECT_GT(order, 3.85) << seen;
+        EXPECT_LT(order, elements == 64 ? 4.5 : 5.2) << seen;
+      }
+      previous = error;
+    }
+    EXPECT_LE(error, 3e-9) << seen;
+  }
+}
+
+// Mattiasson (1981), by elliptic integrals, to five digits.
+TEST(Statics, TransverseTipForceMakesTheElastica) {
+  for (const auto& [alpha, w, u] : {std::tuple{1.0, 0.30172, 0.05643},
+                                    {2.0, 0.49346, 0.16064},
+                                    {5.0, 0.71379, 0.38763},
+                                    {10.0, 0.81061, 0.55500}}) {
+    Case spec = cantilever(1, 1, 1e-8, 1, 32);        // EA L²/EI = 1e8: as good as inextensible
+    spec.cable.quadrature = QuadratureRule::reduced;  // the full one locks at that
+    spec.loads.end_force = {0, 0, alpha * 1e-8};
+    const Trajectory trajectory = settle(spec, 5);
+    ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+    EXPECT_NEAR(tip(trajectory).z(), w, 6e-6) << "α = " << alpha;
+    EXPECT_NEAR(1 - tip(trajectory).x(), u, 6e-6) << "α = " << alpha;
+  }
+}
+
+TEST(Statics, HangingCableStretchesByHalfOfItsWeight) {
+  Case spec = pendulum(5, 4);
+  spec.cable.strain = StrainModel::engineering_material;
+  spec.start = {.direction = {0, -1, 0}};
+  spec.supports.first = Support::clamped;
+  const Trajectory trajectory = settle(spec, 3);
+  ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+  EXPECT_NEAR(-tip(trajectory).y() - 1, 8e-3 * 9.81 / (2 * 40), 1e-12);  // ρA g L²/(2EA)
+}
+
+// Code_Aster, SSNL114: a sag of 6.352 m; the closed form of the elastic catenary gives 6.35216.
+TEST(Statics, CableBetweenTwoPinsSagsAsTheElasticCatenary) {
+  Case spec = cantilever(325, 2.2783e-4, 1e-11, 5.7e10, 32);
+  spec.cable.strain = StrainModel::engineering_material;
+  spec.cable.density = 2844.23;
+  spec.supports = {Support::pinned, Support::pinned};
+  spec.loads.gravity = {0, -9.81, 0};
+  const Trajectory trajectory = settle(spec, 10);
+  ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+  EXPECT_NEAR(-Cable(spec).at(trajectory.q.back(), 0.5).position.y(), 6.35216, 5e-5);
+}
+
+TEST(Statics, LoadGrowsInProportionToTimeAndOutputsBetweenStepsFollowIt) {
+  Case spec = cantilever(2, 1e-2, 1e-5, 1e6, 3);
+  spec.cable.strain = StrainModel::engineering_material;
+  spec.loads.end_force = {500, 0, 0};  // a strain of 0.05
+  const Trajectory trajectory = run(spec, method("statics", 1), {4, 0.5});
+  ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+  EXPECT_EQ(trajectory.counters.steps, 4);
+  EXPECT_EQ(trajectory.interpolated_outputs, 4);
+  for (std::size_t k = 0; k < trajectory.times.size(); ++k) {
+    EXPECT_NEAR(tip(trajectory, k).x(), 2 * (1 + 0.05 * trajectory.times[k] / 4), 1e-12);
+    EXPECT_EQ(trajectory.v[k].norm(), 0);
+  }
+}
+
+// ½(λ³ − λ) = −0.19 has the root λ = 0.63139; it has none for −0.2.
+TEST(Statics, GreenBarIsRefusedBeyondItsLimitPointByName) {
+  const double EA = 1e4;
+  const auto pressed = [&](double share, StrainModel strain) {
+    Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 2);
+    spec.cable.strain = strain;
+    spec.loads.end_force = {-share * EA, 0, 0};
+    return settle(spec, 1);
+  };
+  const Trajectory within = pressed(0.19, StrainModel::green_geometric);
+  ASSERT_EQ(within.outcome, Outcome::completed) << within.message;
+  const double stretch = tip(within).x();
+  EXPECT_NEAR(0.5 * (stretch * stretch * stretch - stretch), -0.19, 1e-10) << "λ = " << stretch;
+  EXPECT_GT(stretch, 1 / std::sqrt(3.0));
+  const Trajectory beyond = pressed(0.2, StrainModel::green_geometric);
+  EXPECT_EQ(beyond.outcome, Outcome::no_convergence) << beyond.message;
+  EXPECT_NE(beyond.message.find("the Green-Lagrange bar bears at most 0.19245 EA in compression"),
+            beyond.message.npos)
+      << beyond.message;
+  EXPECT_NE(beyond.message.find("0.2 EA"), beyond.message.npos) << beyond.message;
+  const Trajectory engineering = pressed(0.2, StrainModel::engineering_material);
+  ASSERT_EQ(engineering.outcome, Outcome::completed) << engineering.message;
+  EXPECT_NEAR(tip(engineering).x(), 0.8, 1e-12);
+}
+
+TEST(Statics, LimitPointIsNamedWithTheLoadThatWasReached) {
+  Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 4);
+  spec.loads.end_force = {-0.25e4, 0, 0};
+  const Trajectory trajectory = settle(spec, 20);
+  EXPECT_EQ(trajectory.outcome, Outcome::no_convergence) << trajectory.message;
+  EXPECT_EQ(trajectory.end_time, 0.75) << trajectory.message;  // 0.1875 EA; 0.2 EA is next
+  EXPECT_NE(trajectory.message.find("equilibrium was reached at 0.75 of the load and not at 0.8 of it"),
+            trajectory.message.npos)
+      << trajectory.message;
+}
+
+TEST(Statics, WeightBeyondTheLimitPointIsNamedToo) {
+  Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 4);
+  spec.start.direction = {0, 1, 0};
+  spec.loads.gravity = {0, -0.3e4 / 10, 0};  // 10 kg; stands on its first end
+  const Trajectory trajectory = settle(spec, 1);
+  EXPECT_EQ(trajectory.outcome, Outcome::no_convergence) << trajectory.message;
+  EXPECT_NE(trajectory.message.find("element 1"), trajectory.message.npos) << trajectory.message;
+  EXPECT_NE(trajectory.message.find("0.19245 EA"), trajectory.message.npos) << trajectory.message;
+}
+
+TEST(Statics, OverloadIsToldForEitherFreeEndAndNotForEngineeringStrain) {
+  Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 4);
+  spec.loads.end_force = {-0.2e4, 0, 0};
+  const auto told = [&](double fraction) {
+    const Cable cable(spec);
+    return overloaded_element(cable, cable.start_q(spec.start), fraction);
+  };
+  ASSERT_TRUE(told(1).has_value());
+  EXPECT_NEAR(told(1)->compression, 0.2, 1e-15);
+  EXPECT_FALSE(told(0.96).has_value()) << "0.192 EA";
+  spec.cable.strain = StrainModel::engineering_material;
+  EXPECT_FALSE(told(1).has_value());
+  spec.cable.strain = StrainModel::green_geometric;
+  spec.supports = {Support::free, Support::clamped};
+  EXPECT_FALSE(told(1).has_value()) << "the load goes into the support at once";
+  spec.loads.end_force.setZero();
+  spec.loads.gravity = {300, 0, 0};
+  ASSERT_TRUE(told(1).has_value());
+  EXPECT_EQ(told(1)->element, 3);
+}
+
+TEST(Statics, CableThatNothingHoldsIsSingular) {
+  const auto outcome = [](Case spec) {
+    spec.loads.gravity = {0, -9.81, 0};
+    const Trajectory trajectory = settle(spec, 2);
+    EXPECT_NE(trajectory.message.find("the stiffness is singular"), trajectory.message.npos)
+        << trajectory.message;
+    EXPECT_NE(trajectory.message.find("at 0 of the load"), trajectory.message.npos) << trajectory.message;
+    return trajectory.outcome;
+  };
+  for (const int elements : {1, 4, 32}) {
+    Case spec = cantilever(1, 1e-4, 1e-10, 1e8, elements);
+    spec.start.direction = Vec3(3, 0, 4) / 5;
+    spec.supports.first = Support::pinned;
+    EXPECT_EQ(outcome(spec), Outcome::singular) << "can turn, " << elements << " elements";
+    spec.supports = {Support::free, Support::free};
+    EXPECT_EQ(outcome(spec), Outcome::singular) << "is free, " << elements << " elements";
+    spec.supports = {Support::clamped, Support::pinned};
+    spec.cable.second_moment = 0;
+    EXPECT_EQ(outcome(spec), Outcome::singular) << "straight, EI = 0, " << elements << " elements";
+    if (elements == 1) continue;  // a link between two pins is held
+    spec.supports = {Support::pinned, Support::pinned};
+    spec.cable.model = CableModel::chain;
+    EXPECT_EQ(outcome(spec), Outcome::singular) << "straight chain, " << elements << " links";
+  }
+}
+
+}  // namespace
+}  // namespace plumb
