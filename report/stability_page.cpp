@@ -89,7 +89,10 @@ void set_words(data& values, const Stability& study) {
     row["label"] = map.label;
     for (const std::size_t at : told_places(study, map)) {
       if (first) columns.push_back(data{"text", value_text(study, axis, map.values[at])});
-      cells.push_back(data{"text", step_in_words(map, at)});
+      data cell;
+      cell["at"] = value_text(study, axis, map.values[at]);
+      cell["text"] = step_in_words(map, at);
+      cells.push_back(cell);
     }
     first = false;
     row.set("cells", cells);
