@@ -27,6 +27,7 @@ Json solve_json(const Run& run) {
             {"solve_seconds", t.solve_seconds},
             {"steps", t.counters.steps},
             {"rejected_steps", t.counters.rejected_steps},
+            {"shortest_cut", t.shortest_cut},
             {"force_evaluations", t.counters.force_evaluations},
             {"tangent_evaluations", t.counters.tangent_evaluations},
             {"factorizations", t.counters.factorizations},

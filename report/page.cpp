@@ -94,6 +94,7 @@ data cost_rows(const Results& results) {
   rows.push_back(pair_row("elements", std::to_string(t.elements)));
   rows.push_back(pair_row("time reached", number(t.end_time) + " s"));
   rows.push_back(pair_row("steps (rejected)", count(c.steps) + " (" + count(c.rejected_steps) + ")"));
+  if (const std::string cuts = step_cuts(t); !cuts.empty()) rows.push_back(pair_row("its step", cuts));
   rows.push_back(pair_row("force evaluations", count(c.force_evaluations)));
   rows.push_back(pair_row("tangent evaluations", count(c.tangent_evaluations)));
   rows.push_back(pair_row("factorizations of the block banded matrix", count(c.factorizations)));

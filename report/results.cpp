@@ -10,6 +10,15 @@ std::string counted(long n, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
+std::string step_cuts(const Trajectory& trajectory) {
+  const long times = trajectory.counters.rejected_steps;
+  if (times <= 0) return "";
+  std::string text = "cut " + counted(times, "time", "times");
+  if (trajectory.shortest_cut > 0)
+    text += fmt::format(", to {:.3g} s at the shortest", trajectory.shortest_cut);
+  return text;
+}
+
 std::string drift_in_words(const Trajectory& trajectory) {
   const double relative = trajectory.relative_energy_drift();
   if (relative < 0) return "that cannot be told";

@@ -31,6 +31,10 @@ Results evaluate(const Run& run, const Stages& stages, const Study* study = null
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
 
+/// "cut 12 times, to 3e-05 s at the shortest", of a run whose steps were tried and repeated shorter; else
+/// empty.
+std::string step_cuts(const Trajectory& trajectory);
+
 /// The energy drift relative to what it is held against: "3.4e-14 of the first kinetic energy".
 std::string drift_in_words(const Trajectory& trajectory);
 

@@ -2,11 +2,14 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <span>
 
 #include "engine/integrate/arkode_tables.h"
+#include "engine/integrate/bdf_formula.h"
 #include "engine/integrate/gauss_table.h"
 #include "engine/integrate/nystrom_pair.h"
 #include "engine/integrate/structural_schemes.h"
@@ -111,19 +114,14 @@ double structural_amplification(const StructuralScheme& s, double z) {
   return Eigen::EigenSolver<Eigen::Matrix3d>(map, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
-/// Of Σ 1/j ∇ʲ y = iz y over j = 1 … order (Hairer, Nørsett and Wanner 1993, equation III.1.22').
+/// Of the roots ζ of (1 − iz reach) ζᵏ = Σ oldⱼ ζᵏ⁻¹⁻ʲ.
 double backward_differentiation_amplification(int order, double z) {
-  Eigen::VectorXcd weights = Eigen::VectorXcd::Zero(order + 1);  // of y, the newest first
-  for (int j = 1; j <= order; ++j) {
-    double binomial = 1;  // (−1)ⁱ j over i
-    for (int i = 0; i <= j; ++i) {
-      weights[i] += binomial / j;
-      binomial *= -static_cast<double>(j - i) / (i + 1);
-    }
-  }
-  weights[0] -= Complex(0, z);
+  constexpr std::array<double, BdfFormula::highest_order> before{1, 2, 3, 4, 5};
+  const std::span<const double> steps_before = before;
+  const BdfFormula formula(steps_before.first(static_cast<std::size_t>(order)));
   Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(order, order);
-  companion.row(0) = -weights.tail(order).transpose() / weights[0];
+  for (int j = 0; j < order; ++j)
+    companion(0, j) = formula.old[static_cast<std::size_t>(j)] / Complex(1, -z * formula.reach);
   for (int i = 1; i < order; ++i) companion(i, i - 1) = 1;
   return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues().cwiseAbs().maxCoeff();
 }

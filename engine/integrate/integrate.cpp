@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "engine/integrate/advice.h"
 #include "engine/integrate/monitor.h"
 #include "engine/interrupt.h"
 #include "engine/model/support_constraints.h"
@@ -101,10 +102,20 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     record_constraints(cable, *integrator, start.t, lambda, result);
   }
   std::size_t next = 1;
+  long failed_step = 0;
+  long rejected = 0;
   while (last.ok() && next < outputs.size()) {
     stop_if_interrupted();
+    const double before = integrator->state().t;
     last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : time.end);
     const State& now = integrator->state();
+    if (!method.step) {
+      if (const long tried = integrator->rejected_steps(); tried > rejected && now.t > before) {
+        rejected = tried;
+        const double taken = now.t - before;
+        result.shortest_cut = result.shortest_cut < 0 ? taken : std::min(result.shortest_cut, taken);
+      }
+    }
     const bool look =
         (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
     if (last.ok()) {
@@ -115,7 +126,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
       if (last.ok()) ++dynamics.counters.steps;
     }
     if (!last.ok()) {
-      result.message = describe(last, method, now.t, dynamics.counters.steps + 1);
+      failed_step = dynamics.counters.steps + 1;
       break;
     }
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
@@ -134,12 +145,16 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     if (next < outputs.size() && look && elapsed() > time_limit &&
         processor_seconds() - processor_started > time_limit) {
       last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
-      result.message = describe(last, method, now.t, dynamics.counters.steps);
+      failed_step = dynamics.counters.steps;
     }
   }
   result.solve_seconds = elapsed();
   result.outcome = last.outcome;
-  if (!last.ok() && result.message.empty()) result.message = describe(last, method, start.t, 0);
+  if (!last.ok()) {
+    result.message = describe(last, method, integrator->state().t, failed_step);
+    if (const std::string help = advice(cable, start, result, method, last.outcome); !help.empty())
+      result.message += "; what would help: " + help;
+  }
   result.end_time = integrator->state().t;
   result.counters = dynamics.counters;
   result.counters.rejected_steps = integrator->rejected_steps();

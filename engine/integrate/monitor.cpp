@@ -15,6 +15,14 @@ int element_of(const Cable& cable, Eigen::Index coordinate) {
   return std::min(static_cast<int>(coordinate / 6), cable.elements() - 1);
 }
 
+/// The one with the fastest node: what grows without bound is what moves most.
+int fastest_element(const Cable& cable, const Eigen::VectorXd& v) {
+  Eigen::Index fastest = 0;
+  for (Eigen::Index node = 0; node < v.size(); node += 6)
+    if (v.segment<3>(node).squaredNorm() > v.segment<3>(fastest).squaredNorm()) fastest = node;
+  return element_of(cable, fastest);
+}
+
 struct CollapsedSlope {
   int element;
   double length;
@@ -70,7 +78,7 @@ StepResult Monitor::check(const State& state) const {
     return {Outcome::unstable,
             fmt::format("the energy grew by {:.3g} J, the bound is {:.3g} J, {:g} times what was at hand",
                         energy - first_energy_, energy_growth_limit * at_hand_, energy_growth_limit),
-            -1};
+            fastest_element(cable_, state.v)};
   return {};
 }
 

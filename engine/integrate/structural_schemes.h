@@ -10,7 +10,7 @@ namespace plumb {
 StructuralScheme implicit_euler_scheme();
 StructuralScheme trapezoidal_scheme();
 StructuralScheme hht_scheme(double alpha);
-StructuralScheme generalized_alpha_scheme(double spectral_radius, bool mean_forces = false);
+StructuralScheme generalized_alpha_scheme(double spectral_radius, bool mean_forces);
 StructuralScheme implicit_midpoint_scheme();
 
 /// The scheme of the method that `spec` names; nothing for a method that has none. On a linear vibration the

@@ -42,8 +42,8 @@ struct Counters {
 /// the origin.
 struct Energies {
   double kinetic = 0;
-  double axial = 0;    ///< strain energy of stretching
-  double bending = 0;  ///< strain energy of bending
+  double axial = 0;      ///< strain energy of stretching
+  double bending = 0;    ///< strain energy of bending
   double potential = 0;  ///< of gravity and of the end force
 
   double total() const { return kinetic + axial + bending + potential; }
@@ -52,7 +52,8 @@ struct Energies {
 /// What an integration gave, up to where it ended.
 struct Trajectory {
   Outcome outcome = Outcome::not_run;
-  std::string message;  ///< for an outcome other than completed: method, time, step, element, what happened
+  /// For an outcome other than completed: method, time, step, element, what happened and what would help.
+  std::string message;
   int elements = 0;
   double element_length = 0;  ///< l, m
   double end_time = 0;        ///< time reached, s
@@ -68,6 +69,8 @@ struct Trajectory {
   /// Greatest |G (q − q₀)| over the outputs of such a method: m, a held slope counting as a length of 1 m. -1
   /// for others.
   double constraint_drift = -1;
+  /// The shortest step that was taken after a longer one had been rejected, s. -1: none was.
+  double shortest_cut = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
 
   Counters counters;

@@ -5,41 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace plumb {
 namespace {
-
-/// P K P, for Spectra.
-class Stiffness {
- public:
-  using Scalar = double;
-
-  Stiffness(const Cable& cable, const Eigen::VectorXd& q)
-      : supports_(cable.supports()), matrix_(cable.nodes()), x_(cable.size()) {
-    cable.system(q, 0, 1, matrix_);
-  }
-
-  bool is_finite() const {
-    const std::span entries(matrix_.data(), static_cast<std::size_t>(matrix_.nodes() * block_column_size));
-    return std::ranges::all_of(entries, [](double entry) { return std::isfinite(entry); });
-  }
-
-  Eigen::Index rows() const { return x_.size(); }
-  Eigen::Index cols() const { return x_.size(); }
-  void perform_op(const double* x, double* y) const {
-    x_ = Eigen::Map<const Eigen::VectorXd>(x, rows());
-    supports_.apply(x_);
-    matrix_.multiply(x_, y_);
-    supports_.apply(y_);
-    Eigen::Map<Eigen::VectorXd>(y, rows()) = y_;
-  }
-
- private:
-  const SupportProjection& supports_;
-  BlockTridiagonal matrix_;
-  mutable Eigen::VectorXd x_, y_;
-};
 
 /// P M P + m (I − P) with some m > 0, for Spectra: what is held has a mass, and as no stiffness holds it, the
 /// frequency 0.
@@ -51,45 +21,88 @@ class Mass {
       : cable_(cable),
         held_mass_(cable.constants().mass_per_length * cable.element().length()),
         x_(cable.size()),
-        held_(cable.size()) {
-    // Coordinates that no force moves are held as well: a model may have no use for its slopes.
-    Eigen::VectorXd moved = Eigen::VectorXd::Random(cable.size());
-    cable.mass().solve(moved, scratch_);
-    moves_ = (moved.array() != 0).cast<double>();
-  }
+        held_(cable.size()) {}
 
   Eigen::Index rows() const { return x_.size(); }
   Eigen::Index cols() const { return x_.size(); }
   void perform_op(const double* x, double* y) const {
     split(x);
     cable_.mass().multiply(x_, y_);
-    take_part(y_);
+    cable_.supports().apply(y_);
     Eigen::Map<Eigen::VectorXd>(y, rows()) = y_ + held_mass_ * held_;
   }
   void solve(const double* x, double* y) const {
     split(x);
     cable_.mass().solve(x_, scratch_);
-    take_part(x_);
+    cable_.supports().apply(x_);
     Eigen::Map<Eigen::VectorXd>(y, rows()) = x_ + held_ / held_mass_;
   }
 
  private:
-  void take_part(Eigen::VectorXd& x) const {
-    cable_.supports().apply(x);
-    x.array() *= moves_;
-  }
   /// x = x_ + held_.
   void split(const double* x) const {
     held_ = x_ = Eigen::Map<const Eigen::VectorXd>(x, rows());
-    take_part(x_);
+    cable_.supports().apply(x_);
     held_ -= x_;
   }
 
   const Cable& cable_;
   double held_mass_;  // kg
-  Eigen::ArrayXd moves_;
   mutable Eigen::VectorXd x_, y_, held_, scratch_;
 };
+
+/// P K P for Spectra, or that over a square of a frequency and plus the Mass, in which nothing has the
+/// frequency 0.
+class Stiffness {
+ public:
+  using Scalar = double;
+
+  Stiffness(const Cable& cable, const Eigen::VectorXd& q, const Mass& mass)
+      : supports_(cable.supports()), mass_(mass), matrix_(cable.nodes()), x_(cable.size()) {
+    cable.system(q, 0, 1, matrix_);
+  }
+
+  bool is_finite() const {
+    const std::span entries(matrix_.data(), static_cast<std::size_t>(matrix_.nodes() * block_column_size));
+    return std::ranges::all_of(entries, [](double entry) { return std::isfinite(entry); });
+  }
+
+  void shift_and_scale(double square) { square_ = square; }
+
+  Eigen::Index rows() const { return x_.size(); }
+  Eigen::Index cols() const { return x_.size(); }
+  void perform_op(const double* x, double* y) const {
+    x_ = Eigen::Map<const Eigen::VectorXd>(x, rows());
+    supports_.apply(x_);
+    matrix_.multiply(x_, y_);
+    supports_.apply(y_);
+    Eigen::Map<Eigen::VectorXd> result(y, rows());
+    if (!square_) {
+      result = y_;
+      return;
+    }
+    mass_.perform_op(x, y);
+    result += y_ / *square_;
+  }
+
+ private:
+  const SupportProjection& supports_;
+  const Mass& mass_;
+  std::optional<double> square_;  // 1/s²
+  BlockTridiagonal matrix_;
+  mutable Eigen::VectorXd x_, y_;
+};
+
+/// About the size of ω², 1/s²: how long M⁻¹ K makes some vector, in the norm of M.
+double typical_square(const Stiffness& stiffness, const Mass& mass) {
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(stiffness.rows(), 1, 2), y = x, z = x;
+  for (Eigen::Index i = 0; i < x.size(); i += 2) x[i] = -x[i];
+  mass.perform_op(x.data(), y.data());
+  const double before = x.dot(y);
+  stiffness.perform_op(x.data(), z.data());
+  mass.solve(z.data(), y.data());
+  return std::sqrt(std::max(0.0, y.dot(z)) / before);  // as z = M y
+}
 
 /// The element at whose nodes the shape moves most.
 int place_of(const Eigen::VectorXd& shape, const Cable& cable) {
@@ -109,7 +122,8 @@ int place_of(const Eigen::VectorXd& shape, const Cable& cable) {
 }  // namespace
 
 FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q) {
-  // Lanczos's vectors held at a time.
+  // Lanczos's vectors held at a time. Where vibrations are few and alike the library seeks new directions at
+  // random, for which there must be room.
   constexpr int vectors = 24;
   // A vibration that is gathered at an end or where the cable is stretched most is found at once. One that
   // spreads along a fine, even cable has neighbours of almost its frequency: any of them will do.
@@ -120,18 +134,25 @@ FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q)
   constexpr std::array attempts{Attempt{3, 1e-6}, Attempt{300, 1e-3}};
   FastestVibration result;
   result.shape.setZero(cable.size());
-  Stiffness stiffness(cable, q);
-  if (!stiffness.is_finite()) return result;
   Mass mass(cable);
+  Stiffness stiffness(cable, q, mass);
+  if (!stiffness.is_finite()) return result;
+  // The library tells round-off from numbers by sizes that suit numbers near 1, and seeks new directions in
+  // what the matrix makes of random ones.
+  const double square = typical_square(stiffness, mass);
+  if (!(square > 0)) return result;
+  stiffness.shift_and_scale(square);
   Spectra::SymGEigsSolver<Stiffness, Mass, Spectra::GEigsMode::RegularInverse> solver(
-      stiffness, mass, 1, std::min(vectors, cable.size()));
+      stiffness, mass, 1, std::min(vectors, cable.size() / 2));
   for (const auto& [restarts, residual] : attempts) {
     solver.init();
     solver.compute(Spectra::SortRule::LargestAlge, restarts, residual);
     if (solver.info() == Spectra::CompInfo::Successful) break;
   }
-  if (solver.info() != Spectra::CompInfo::Successful || !(solver.eigenvalues()[0] > 0)) return result;
-  result.frequency = std::sqrt(solver.eigenvalues()[0]);
+  if (solver.info() != Spectra::CompInfo::Successful) return result;
+  const double scaled = solver.eigenvalues()[0] - 1;
+  if (!(scaled > 0)) return result;
+  result.frequency = std::sqrt(scaled * square);
   result.shape = solver.eigenvectors().col(0);
   result.element = place_of(result.shape, cable);
   return result;

@@ -34,6 +34,7 @@ const Field fields[] = {{"states/position", "m", &Trajectory::q, 0},
                         {"states/slope_rate", "1/s", &Trajectory::v, 3}};
 
 constexpr const char* multipliers_path = "constraints/multipliers";
+constexpr const char* shortest_cut_path = "shortest_cut";
 constexpr const char* drift_path = "constraints/drift";
 
 const std::pair<const char*, double Energies::*> energy_parts[] = {
@@ -52,6 +53,7 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   file.number("element_length", trajectory.element_length, "m");
   file.number("end_time", trajectory.end_time, "s");
   file.number("solve_seconds", trajectory.solve_seconds, "s");
+  file.number(shortest_cut_path, trajectory.shortest_cut, "s");
   file.numbers("time", {outputs}, trajectory.times.data(), "s");
   std::vector<double> values;
   for (const Field& field : fields) {
@@ -95,7 +97,8 @@ void read_constraints(const hdf5::Reader& file, Trajectory& result) {
 void check(const Trajectory& trajectory) {
   const auto finite = [](const Eigen::VectorXd& x) { return x.allFinite(); };
   if (trajectory.outcome == Outcome::not_run) throw std::runtime_error("it holds no run");
-  if (!(trajectory.element_length > 0) || !std::isfinite(trajectory.element_length + trajectory.end_time))
+  if (!(trajectory.element_length > 0) ||
+      !std::isfinite(trajectory.element_length + trajectory.end_time + trajectory.shortest_cut))
     throw std::runtime_error("its lengths and times are not those of a run");
   if (trajectory.times.empty() || trajectory.times.front() != 0)
     throw std::runtime_error("its times do not begin at 0");
@@ -126,6 +129,8 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
   result.element_length = file.number("element_length");
   result.end_time = file.number("end_time");
   result.solve_seconds = file.number("solve_seconds");
+  // Runs of older versions do not have it.
+  if (file.has(shortest_cut_path)) result.shortest_cut = file.number(shortest_cut_path);
   result.times = file.numbers("time").values;
   const hsize_t outputs = result.times.size(), nodes = static_cast<hsize_t>(elements) + 1;
   for (const Field& field : fields) {

@@ -62,6 +62,7 @@ Run solve(const LoadedCase& loaded, Talk& talk) {
                         loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
                         trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
                         trajectory.solve_seconds));
+  if (const std::string cuts = step_cuts(trajectory); !cuts.empty()) talk.line("its step was " + cuts);
   if (trajectory.outcome != Outcome::completed)
     talk.line(talk.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
   return {loaded, std::move(trajectory), std::move(probes), provenance_now()};

@@ -22,9 +22,8 @@ MethodSpec with(MethodSpec spec, const std::string& parameter, double value) {
   return spec;
 }
 
-/// A method that this program may not have, with one parameter.
 MethodSpec bdf(int order) {
-  return with({.name = "bdf", .step = {}, .rtol = {}, .atol = {}, .parameters = {}}, "order", order);
+  return with(plain_method(*find_method("bdf")), "order", order);
 }
 
 /// Every method with a fixed step, at each order or damping worth telling apart.
@@ -115,9 +114,10 @@ struct AxialVibration {
 
 TEST(Amplification, IsThatOfMeasuredStepsForEveryMethodWithAFixedStep) {
   const AxialVibration vibration;
-  constexpr int steps = 24;
   for (const MethodSpec& spec : fixed_step_methods())
     for (const double z : {0.3, 0.9, 1.7}) {
+      // The other roots of these die away more slowly.
+      const int steps = spec.name == "bdf" && spec.parameters.at("order") > 2 ? 80 : 24;
       ASSERT_TRUE(amplification(spec, z)) << label(spec);
       const double predicted = *amplification(spec, z);
       EXPECT_NEAR(vibration.measured(spec, z, steps, std::pow(predicted, steps)), predicted, 2e-7)
@@ -126,9 +126,7 @@ TEST(Amplification, IsThatOfMeasuredStepsForEveryMethodWithAFixedStep) {
 }
 
 TEST(Amplification, IsOneWhereNothingHappensInAStep) {
-  std::vector<MethodSpec> specs = fixed_step_methods();
-  for (int order = 1; order <= 5; ++order) specs.push_back(bdf(order));
-  for (const MethodSpec& spec : specs)
+  for (const MethodSpec& spec : fixed_step_methods())
     for (const double z : {0.0, 1e-5}) EXPECT_NEAR(*amplification(spec, z), 1, 1e-7) << label(spec);
 }
 

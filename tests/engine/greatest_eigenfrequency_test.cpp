@@ -90,6 +90,24 @@ TEST(FastestVibration, HasAShapeOfUnitMassThatTheSupportsAllowAndThatSolvesThePa
   EXPECT_LE(force.norm(), 1e-5 * fastest.frequency * fastest.frequency * inertia.norm());
 }
 
+TEST(FastestVibration, OfAChainIsThatOfItsLinks) {
+  for (const int links : {1, 2, 7}) {
+    Case spec = pendulum(5, links);
+    spec.cable.model = CableModel::chain;
+    spec.cable.second_moment = 0;
+    const Cable cable(spec);
+    const Eigen::VectorXd straight = cable.start_q(spec.start), bent = disturbed(cable, spec, 0.1, 5);
+    for (const Eigen::VectorXd& q : {straight, bent}) {
+      const double exact = dense_frequency(cable, q);
+      EXPECT_NEAR(fastest_vibration(cable, q).frequency, exact, 1e-6 * exact) << links;
+    }
+    // One spring k = EA/l with half of a link's mass m at its free end.
+    if (links == 1) {
+      EXPECT_NEAR(fastest_vibration(cable, straight).frequency, std::sqrt(2) * speed_of_sound(spec), 1e-6);
+    }
+  }
+}
+
 // A cable in compression has a stiffness that is not positive definite.
 TEST(FastestVibration, IsFoundWhereTheStiffnessIsIndefinite) {
   const Case spec = pendulum(5, 6);

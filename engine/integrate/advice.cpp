@@ -1,0 +1,154 @@
+#include "engine/integrate/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/integrate/amplification.h"
+#include "engine/integrate/method_info.h"
+#include "engine/model/greatest_eigenfrequency.h"
+
+namespace plumb {
+namespace {
+
+/// "0.00104 s": a number of three digits that is not above x.
+std::string seconds_below(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
+  // What is three digits already must not lose one to round-off.
+  constexpr double round_off = 1e-9;
+  return fmt::format("{:.3g} s", std::floor(x / unit * (1 + round_off)) * unit);
+}
+
+/// ω of the fastest vibration of the states that can be believed: the start, and outputs before the energy
+/// went astray.
+double greatest_frequency(const Cable& cable, const State& start, const Trajectory& run) {
+  constexpr double energy_share = 0.01;
+  constexpr int most_states = 20, most_elements = 65536;  // looked at, in all
+  double greatest = fastest_vibration(cable, start.q).frequency;
+  std::size_t believed = 0;
+  const double allowed = energy_share * run.kinetic_scale();
+  while (believed < run.q.size() &&
+         std::abs(run.energies[believed].total() - run.energies.front().total()) <= allowed)
+    ++believed;
+  const int states = std::clamp(most_elements / cable.elements(), 1, most_states);
+  const std::size_t stride = std::max<std::size_t>(1, believed / static_cast<std::size_t>(states));
+  // The last comes first; where there is time for one only, it is that.
+  for (std::size_t k = believed; k > 0; k = k > stride ? k - stride : 0)
+    greatest = std::max(greatest, fastest_vibration(cable, run.q[k - 1]).frequency);
+  return greatest;
+}
+
+bool keeps_every_vibration(const MethodSpec& method) {
+  constexpr double fast = 10, round_off = 1e-9;
+  const auto radius = amplification(method, fast);
+  return radius && std::abs(*radius - 1) <= round_off;
+}
+
+class Adviser {
+ public:
+  Adviser(const Cable& cable, const State& start, const Trajectory& run, const MethodSpec& method)
+      : cable_(cable),
+        start_(start),
+        run_(run),
+        method_(method),
+        info_(*find_method(method.name)),
+        limit_(stability_limit(method)) {}
+
+  std::string on(Outcome outcome) const {
+    switch (outcome) {
+      case Outcome::unstable:
+      case Outcome::diverged:
+        return on_growth();
+      case Outcome::no_convergence:
+        return on_no_convergence();
+      case Outcome::singular:
+        return on_singular();
+      case Outcome::out_of_time:
+        return on_out_of_time();
+      case Outcome::not_run:
+      case Outcome::completed:
+      case Outcome::accurate:
+      case Outcome::inaccurate:
+        break;
+    }
+    return "";
+  }
+
+ private:
+  bool grows_beyond_a_step() const { return method_.step && limit_ && *limit_ > 0 && std::isfinite(*limit_); }
+
+  /// s; infinite where nothing vibrates.
+  double longest_step() const { return *limit_ / greatest_frequency(cable_, start_, run_); }
+
+  std::string half_the_step() const { return "a step below " + seconds_below(0.5 * *method_.step); }
+
+  std::string on_growth() const {
+    if (!method_.step) return "tighter tolerances";
+    if (limit_ && *limit_ == 0)
+      return "another order or another method: with this one some vibrations grow at every step";
+    if (grows_beyond_a_step()) {
+      const double longest = longest_step();
+      return (*method_.step > longest ? "a step below " + seconds_below(longest) : half_the_step()) +
+             ", or an implicit method";
+    }
+    if (method_.name == "energy-momentum") return half_the_step();
+    if (keeps_every_vibration(method_))
+      return "energy-momentum, generalized-alpha with a spectral_radius below 1, or " + half_the_step();
+    return half_the_step() + ", or energy-momentum";
+  }
+
+  std::string on_no_convergence() const {
+    if (method_.step && grows_beyond_a_step()) return on_growth();
+    if (method_.step) {
+      std::string text;
+      for (const MethodParameter& parameter : info_.parameters)
+        if (parameter.name == "newton_iterations" &&
+            method_.parameters.at(parameter.name) < parameter.fallback)
+          text += fmt::format("newton_iterations of {:g} as by default, ", parameter.fallback);
+      text += half_the_step();
+      if (info_.takes_tolerances) text += ", rtol in the place of a step so that it can be cut";
+      if (method_.name != "energy-momentum") text += ", or energy-momentum";
+      return text;
+    }
+    if (!method_.rtol) return "a smaller load, or more elements";
+    return fmt::format("looser tolerances than rtol = {:g} and atol = {:g}, more elements, or another method",
+                       *method_.rtol, *method_.atol);
+  }
+
+  std::string on_singular() const {
+    // What an explicit method lets grow collapses a slope before it is anything else.
+    if (grows_beyond_a_step() && *method_.step > longest_step()) return on_growth();
+    std::string text = "more elements, less compression";
+    if (cable_.element().bending_stiffness() == 0)
+      text += ", a bending stiffness (cable.second_moment above 0)";
+    return text + (method_.step ? ", or " + half_the_step() : ", or tighter tolerances");
+  }
+
+  std::string on_out_of_time() const {
+    if (!method_.step) return method_.rtol ? "looser tolerances, fewer elements, or more time" : "more time";
+    if (grows_beyond_a_step()) {
+      const double longest = longest_step();
+      if (*method_.step < longest)
+        return "a longer step, of up to " + seconds_below(longest) + ", an implicit method, or more time";
+      return "an implicit method, fewer elements, or more time";
+    }
+    return "a longer step, fewer elements, or more time";
+  }
+
+  const Cable& cable_;
+  const State& start_;
+  const Trajectory& run_;
+  const MethodSpec& method_;
+  const MethodInfo& info_;
+  std::optional<double> limit_;
+};
+
+}  // namespace
+
+std::string advice(const Cable& cable, const State& start, const Trajectory& run, const MethodSpec& method,
+                   Outcome outcome) {
+  return Adviser(cable, start, run, method).on(outcome);
+}
+
+}  // namespace plumb
