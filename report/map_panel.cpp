@@ -36,8 +36,9 @@ Series limit_line(bool worst) {
 
 bool has_limits(const OutcomeMap& map) {
   return map.limits.size() == map.values.size() &&
-         std::any_of(map.limits.begin(), map.limits.end(),
-                     [](const PredictedLimit& limit) { return std::isfinite(limit.at_worst); });
+         std::any_of(map.limits.begin(), map.limits.end(), [](const PredictedLimit& limit) {
+           return std::isfinite(limit.at_worst) && limit.at_worst > 0;
+         });
 }
 
 }  // namespace

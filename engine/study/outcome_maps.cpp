@@ -88,6 +88,26 @@ class Maps {
     for (const Run& run : runs_) by_key_[{run.variant, run.motion, run.setting}] = &run;
   }
 
+  /// Of each variant on each motion.
+  void predict() {
+    std::vector<const ReferenceMotion*> motions{&motions_.base};
+    for (const ReferenceMotion& motion : motions_.parameters) motions.push_back(&motion);
+    for (const ReferenceMotion& motion : motions_.elements) motions.push_back(&motion);
+    for (const MethodVariant& variant : variants_) {
+      const LimitKind kind = variant.by_step ? limit_kind(variant.with(1)) : LimitKind::none;
+      if (kind != LimitKind::vibration && kind != LimitKind::contraction) continue;
+      for (const ReferenceMotion* motion : motions) limits_[{&variant, motion}] = {};
+    }
+    std::vector<decltype(limits_)::value_type*> all;
+    for (auto& limit : limits_) all.push_back(&limit);
+    for_each_in_parallel(all.size(), [&](std::size_t k) {
+      const auto& [variant, motion] = all[k]->first;
+      all[k]->second =
+          predicted_limit(variant->method, Cable(motion->spec), until(motion->trajectory, end_),
+                          motion->summary.frequency_at_start, motion->summary.frequency_at_worst);
+    });
+  }
+
   std::vector<OutcomeMap> collect() const {
     std::vector<OutcomeMap> maps;
     for (const MethodVariant& variant : variants_) {
@@ -135,9 +155,8 @@ class Maps {
         const auto at = std::find(run.ends.begin(), run.ends.end(), end) - run.ends.begin();
         map.points.push_back(run.points[static_cast<std::size_t>(at)]);
       }
-      if (map.limit_kind == LimitKind::vibration)
-        map.limits.push_back(vibration_limit(variant.method, motion.summary.frequency_at_start,
-                                             motion.summary.frequency_at_worst));
+      if (const auto limit = limits_.find({&variant, &motion}); limit != limits_.end())
+        map.limits.push_back(limit->second);
     }
     map.in_words = step_in_words(map, place_of_case(axis, values));
     return map;
@@ -161,6 +180,7 @@ class Maps {
   std::vector<double> ends_of_base_;
   std::vector<Run> runs_;
   std::map<Key, const Run*> by_key_;
+  std::map<std::pair<const MethodVariant*, const ReferenceMotion*>, PredictedLimit> limits_;
 };
 
 }  // namespace
@@ -190,6 +210,7 @@ std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
                                      const std::function<void(double)>& done) {
   Maps maps(what, end, variants, motions);
   maps.plan();
+  maps.predict();
   maps.execute_all(done);
   return maps.collect();
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/integrate/amplification.h"
+#include "engine/study/newton_contraction.h"
 
 namespace plumb {
 
@@ -22,6 +23,20 @@ PredictedLimit vibration_limit(const MethodSpec& method, double frequency_at_sta
     return frequency > 0 ? *limit / frequency : std::numeric_limits<double>::infinity();
   };
   return {step(frequency_at_start), step(frequency_at_worst)};
+}
+
+PredictedLimit predicted_limit(const MethodSpec& method, const Cable& cable, const Trajectory& motion,
+                               double frequency_at_start, double frequency_at_worst) {
+  switch (limit_kind(method)) {
+    case LimitKind::vibration:
+      return vibration_limit(method, frequency_at_start, frequency_at_worst);
+    case LimitKind::contraction:
+      return motion.times.empty() ? PredictedLimit{} : contraction_limit(cable, method, motion);
+    case LimitKind::none:
+    case LimitKind::always:
+      break;
+  }
+  return {};
 }
 
 }  // namespace plumb

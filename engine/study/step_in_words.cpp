@@ -31,8 +31,12 @@ Stretch longest(const OutcomeMap& map, std::size_t at, Holds holds) {
 
 std::string limit_in_words(const OutcomeMap& map, std::size_t at) {
   if (map.limit_kind == LimitKind::always) return "; by theory a vibration grows at every step";
-  if (map.limit_kind != LimitKind::vibration || at >= map.limits.size()) return "";
+  if (at >= map.limits.size()) return "";
   const PredictedLimit& limit = map.limits[at];
+  if (map.limit_kind == LimitKind::contraction && limit.at_start > 0 && std::isfinite(limit.at_start))
+    return fmt::format("; Newton's iteration is expected to contract up to {} s",
+                       setting_text(limit.at_start, 3));
+  if (map.limit_kind != LimitKind::vibration) return "";
   const double step = limit.at_worst > 0 ? limit.at_worst : limit.at_start;
   if (!(step > 0) || !std::isfinite(step)) return "";
   return fmt::format("; the predicted limit is {} s", setting_text(step, 3));

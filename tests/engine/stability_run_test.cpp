@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -88,6 +89,25 @@ TEST(StabilityRun, TheParameterIsVariedByReadingTheCaseAgain) {
   bad.source.file.text += "[[probe]]\nname = \"a\"\nat = \"f/5\"\n";
   bad.spec.stability->parameter_values = {5, 6};
   EXPECT_THROW(run_stability(bad), InputError) << "a probe beyond the end at f = 6";
+}
+
+TEST(StabilityRun, WhatIsPredictedGoesWithTheMethod) {
+  LoadedCase loaded = tiny_stability_case();
+  loaded.spec.stability->methods = {"bdf", "trapezoidal", "arkode-erk", "cvode-bdf"};
+  loaded.spec.stability->limit_methods.clear();
+  std::map<std::string, LimitKind> kinds;
+  for (const OutcomeMap& map : run_stability(loaded).maps) {
+    kinds[map.label] = map.limit_kind;
+    const bool limits = map.limit_kind == LimitKind::vibration || map.limit_kind == LimitKind::contraction;
+    EXPECT_EQ(map.limits.size(), limits ? map.values.size() : 0) << map.label;
+  }
+  EXPECT_EQ(kinds.at("bdf, order 2"), LimitKind::contraction);
+  EXPECT_EQ(kinds.at("bdf, order 3"), LimitKind::always);
+  EXPECT_EQ(kinds.at("bdf, order 5"), LimitKind::always);
+  EXPECT_EQ(kinds.at("trapezoidal, fixed step"), LimitKind::contraction);
+  EXPECT_EQ(kinds.at("trapezoidal, controlled step"), LimitKind::none);
+  EXPECT_EQ(kinds.at("arkode-erk, order 5, fixed step"), LimitKind::vibration);
+  EXPECT_EQ(kinds.at("cvode-bdf, order ≤ 5"), LimitKind::none);
 }
 
 TEST(StabilityRun, CriticalStepsAreFoundBesideThePrediction) {
@@ -209,8 +229,16 @@ TEST(StepInWords, SaysWhatIsAccurateWhatIsStableAndWhatFails) {
             "accurate with a step from 2.0e-3 s to 4.0e-3 s (out-of-time at 1.0e-3 s); unstable at 8.0e-3 s");
   EXPECT_EQ(says({u, u, u, u}),
             "accurate at none of the steps from 1.0e-3 s to 8.0e-3 s; unstable at 1.0e-3 s");
-  map.limit_kind = LimitKind::vibration;
+  map.limit_kind = LimitKind::always;
+  EXPECT_EQ(
+      says({a, a, a, u}),
+      "accurate up to a step of 4.0e-3 s; unstable at 8.0e-3 s; by theory a vibration grows at every step");
   map.limits = {{5e-3, 4.5e-3}};
+  map.limit_kind = LimitKind::contraction;
+  EXPECT_EQ(says({a, a, a, u}),
+            "accurate up to a step of 4.0e-3 s; unstable at 8.0e-3 s; Newton's iteration is "
+            "expected to contract up to 5.00e-3 s");
+  map.limit_kind = LimitKind::vibration;
   EXPECT_EQ(says({a, a, a, u}),
             "accurate up to a step of 4.0e-3 s; unstable at 8.0e-3 s; the predicted limit is 4.50e-3 s");
 }
