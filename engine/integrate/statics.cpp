@@ -41,6 +41,7 @@ class Statics : public Method {
 
   StepResult step(double stop) override {
     const FixedSteps::Step next = steps_.next(now_.t, stop);
+    end_ = stop;
     const double reached = now_.t / stop, wanted = next.end / stop;
     StepResult result = solve(wanted);
     if (!result.ok()) {
@@ -55,18 +56,22 @@ class Statics : public Method {
     return result;
   }
 
-  /// In proportion to the load.
+  /// Finds the equilibrium at the load of that time: between two load steps a cable turns, which no mean of
+  /// its coordinates does without stretching it. Where there is none, that mean.
   void interpolate(double t, State& at) const override {
     const double x = (t - before_.t) / (now_.t - before_.t);
     at.t = t;
-    at.q = (1 - x) * before_.q + x * now_.q;
     at.v = now_.v;
+    if (solve(t / end_).ok())
+      at.q = q_;
+    else
+      at.q = (1 - x) * before_.q + x * now_.q;
   }
 
  private:
   /// Leaves the equilibrium in q_. Whole corrections come first: they overshoot and come back where a cable
   /// that hardly stretches bends, which halved ones crawl along.
-  StepResult solve(double fraction) {
+  StepResult solve(double fraction) const {
     StepResult result = iterate(fraction, false);
     if (result.outcome == Outcome::singular || (result.ok() && !reversed())) return result;
     result = iterate(fraction, true);
@@ -74,7 +79,7 @@ class Statics : public Method {
     return result;
   }
 
-  StepResult iterate(double fraction, bool halved) {
+  StepResult iterate(double fraction, bool halved) const {
     const Cable& cable = dynamics_.cable();
     q_ = now_.q;
     CorrectionSize correction;
@@ -101,7 +106,7 @@ class Statics : public Method {
   }
 
   /// False where that leads astray.
-  bool take_whole(double fraction) {
+  bool take_whole(double fraction) const {
     if (turn(change_) > most_overshoot) return false;
     q_ += change_;
     return !residual(q_, fraction);
@@ -118,7 +123,7 @@ class Statics : public Method {
   }
 
   /// Adds as much of change_ to q_ as makes the next correction smaller; false where none of it does.
-  bool take_part(double fraction) {
+  bool take_part(double fraction) const {
     const double l = dynamics_.cable().element().length();
     const double whole = correction_size(change_, 1, l).metres;
     double share = std::min(1.0, most_turn / turn(change_));
@@ -146,7 +151,7 @@ class Statics : public Method {
   }
 
   /// residual_ := what is missing for equilibrium at q. Returns an element whose slope collapsed.
-  std::optional<int> residual(const Eigen::VectorXd& q, double fraction) {
+  std::optional<int> residual(const Eigen::VectorXd& q, double fraction) const {
     dynamics_.force(q, residual_);
     residual_ += (fraction - 1) * dynamics_.cable().external_force();
     dynamics_.cable().supports().apply(residual_);
@@ -177,7 +182,8 @@ class Statics : public Method {
   FixedSteps steps_;
   Dynamics& dynamics_;
   State before_, now_;
-  Eigen::VectorXd q_, trial_, residual_, change_, next_;
+  double end_ = 0;                                                // of the run, s
+  mutable Eigen::VectorXd q_, trial_, residual_, change_, next_;  // scratch
 };
 
 }  // namespace

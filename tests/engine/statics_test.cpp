@@ -110,6 +110,18 @@ TEST(Statics, LoadGrowsInProportionToTimeAndOutputsBetweenStepsFollowIt) {
   }
 }
 
+TEST(Statics, OutputsBetweenLoadStepsAreEquilibriaToo) {
+  Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 8);
+  spec.loads.end_force = {0, 50, 0};
+  const Trajectory coarse = run(spec, method("statics", 0.5), {1, 0.125});
+  const Trajectory fine = run(spec, method("statics", 0.125), {1, 0.125});
+  ASSERT_EQ(coarse.outcome, Outcome::completed) << coarse.message;
+  EXPECT_EQ(coarse.interpolated_outputs, 6);
+  EXPECT_EQ(fine.interpolated_outputs, 0);
+  EXPECT_LE(tip_distance(coarse, fine), 1e-9);
+  EXPECT_GT((tip(fine) - tip(fine, 0)).norm(), 0.5) << "m: hardly bent";
+}
+
 // ½(λ³ − λ) = −0.19 has the root λ = 0.63139; it has none for −0.2.
 TEST(Statics, GreenBarIsRefusedBeyondItsLimitPointByName) {
   const double EA = 1e4;
