@@ -54,11 +54,32 @@ struct Bar {
   Color color;
 };
 
+/// A kind of cell, told by its colour and by its letter.
+struct CellCategory {
+  std::string label;   ///< in the key; empty: not there
+  std::string letter;  ///< in every cell, where there is room
+  Color color;
+};
+
+/// Rectangles that fill a panel below its series and rules, in place of grid lines. Each is of one category.
+struct CellGrid {
+  std::vector<double> x_edges;  ///< rising, one more than columns
+  std::vector<double> y_edges;  ///< rising, one more than rows
+  std::vector<int> categories;  ///< rows from below, each from the left: places in Key::categories; -1: none
+};
+
+/// What a plot says once of all its panels, below its title.
+struct Key {
+  std::vector<CellCategory> categories;
+  std::vector<Series> lines;  ///< of whose looks samples are shown; they have no points
+};
+
 /// One coordinate system. Series are drawn in order, the last on top.
 struct Panel {
   std::string title;  ///< small, above the panel; may be empty
   Axis x;
   Axis y;
+  std::optional<CellGrid> cells;
   std::vector<Series> series;
   std::vector<Rule> rules;
   std::vector<Bar> bars = {};
@@ -68,10 +89,13 @@ struct Panel {
   bool legend = true;           ///< for series with a label
 };
 
-/// A figure: panels stacked from the top. `font_size` suits a print at half a page's width.
+/// A figure: panels stacked from the top, in rows where it has several columns. `font_size` suits a print at
+/// half a page's width.
 struct Plot {
   std::string title;
   std::vector<Panel> panels;
+  Key key;
+  int columns = 1;        ///< ≥ 1; panels run along the rows, and share the width of a column
   int width = 1600;       ///< pixels
   int height = 1200;      ///< pixels
   double font_size = 36;  ///< of labels, pixels, > 0; widths of lines and markers go with it

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "engine/errors.h"
+#include "render/cell_grid.h"
+#include "render/key_layout.h"
 #include "render/legend_layout.h"
 #include "render/log_axis_ticks.h"
 #include "render/rule_layout.h"
@@ -132,12 +134,14 @@ void check(const Plot& plot) {
                                       axis->tick_labels.size(), axis->ticks.size()));
     if (panel.equal_axes && (panel.x.scale != Scale::linear || panel.y.scale != Scale::linear))
       throw OutputError("plot: equal axes must both be linear");
+    if (panel.cells) check_cells(*panel.cells, plot.key.categories.size());
     if (!(panel.height_share > 0))
       throw OutputError(
           fmt::format("plot: a panel's height share of {}: must be greater than 0", panel.height_share));
   }
   if (!(plot.font_size > 0))
     throw OutputError(fmt::format("plot: a font size of {}: must be greater than 0", plot.font_size));
+  if (plot.columns < 1) throw OutputError(fmt::format("plot: {} columns: must be at least 1", plot.columns));
 }
 
 // Those of the given values that are inside; where a label would overlap the one before, it is empty.
@@ -165,10 +169,16 @@ bool has_legend(const Panel& panel) {
                                      [](const Series& series) { return !series.label.empty(); });
 }
 
+double below_title(const Plot& plot, const PlotSizes& sizes) {
+  return plot.title.empty() ? 0.6 * sizes.gap : sizes.gap + 1.35 * sizes.title.size;
+}
+
 // Lays out the panels below each other, given the heights that legends outside need.
 class Stack {
  public:
-  Stack(const Plot& plot, const Font& font) : plot_(plot), font_(font), sizes_(plot.font_size) {}
+  /// `key_height` is free between the title and the first panel, pixels.
+  Stack(const Plot& plot, const Font& font, double key_height)
+      : plot_(plot), font_(font), sizes_(plot.font_size), key_height_(key_height) {}
 
   PlotLayout lay_out(const std::vector<double>& legend_heights) const {
     PlotLayout layout;
@@ -247,7 +257,7 @@ class Stack {
   }
 
   void place_vertically(PlotLayout& layout, const std::vector<double>& legend_heights) const {
-    double top = plot_.title.empty() ? 0.6 * sizes_.gap : sizes_.gap + 1.35 * sizes_.title.size;
+    double top = below_title(plot_, sizes_) + key_height_;
     double free = plot_.height - top - 0.5 * sizes_.gap;
     double shares = 0;
     for (std::size_t p = 0; p < plot_.panels.size(); ++p) {
@@ -291,7 +301,69 @@ class Stack {
   const Plot& plot_;
   const Font& font_;
   PlotSizes sizes_;
+  double key_height_;
 };
+
+// One column of panels.
+PlotLayout stacked_layout(const Plot& plot, const Font& font, double key_height) {
+  const Stack stack(plot, font, key_height);
+  std::vector<double> legend_heights(plot.panels.size(), 0);
+  PlotLayout layout = stack.lay_out(legend_heights);
+  // A legend that goes outside takes height from every panel, after which another may find no place inside.
+  for (std::size_t p = 0; p < plot.panels.size();) {
+    const Panel& panel = plot.panels[p];
+    PanelLayout& placed = layout.panels[p];
+    if (!has_legend(panel)) {
+      ++p;
+    } else if (legend_heights[p] > 0) {
+      placed.legend =
+          legend_rows(panel, placed.frame.left, placed.frame.top - stack.head(p, legend_heights[p]),
+                      placed.frame.width(), stack.sizes(), font);
+      ++p;
+    } else if ((placed.legend = legend_inside(panel, placed, stack.sizes(), font))) {
+      ++p;
+    } else {
+      legend_heights[p] = legend_rows(panel, 0, 0, placed.frame.width(), stack.sizes(), font).box.height();
+      layout = stack.lay_out(legend_heights);
+      p = 0;
+    }
+  }
+  return layout;
+}
+
+// The panels of one column as a plot of their own. A column that is short of one has an empty one with a
+// title, so that rows are level.
+Plot column_of(const Plot& plot, int column) {
+  Plot part = plot;
+  part.panels.clear();
+  part.width = plot.width / plot.columns;
+  const auto columns = static_cast<std::size_t>(plot.columns);
+  Panel filler;
+  if (!plot.panels.empty()) filler.title = plot.panels.back().title;
+  for (std::size_t p = static_cast<std::size_t>(column);
+       p < (plot.panels.size() + columns - 1) / columns * columns; p += columns)
+    part.panels.push_back(p < plot.panels.size() ? plot.panels[p] : filler);
+  return part;
+}
+
+void shift(PanelLayout& panel, double right) {
+  panel.frame.left += right;
+  panel.frame.right += right;
+  panel.x.start += right;
+  panel.x.end += right;
+  panel.y_label_base += right;
+  for (RuleLayout& rule : panel.rules) {
+    for (Rect* rect : {&rule.area, &rule.label}) {
+      rect->left += right;
+      rect->right += right;
+    }
+    rule.at.x() += right;
+  }
+  if (!panel.legend) return;
+  panel.legend->box.left += right;
+  panel.legend->box.right += right;
+  for (Point& at : panel.legend->at) at.x() += right;
+}
 
 }  // namespace
 
@@ -318,28 +390,22 @@ double AxisMap::operator()(double value) const {
 
 PlotLayout plot_layout(const Plot& plot, const Font& font) {
   check(plot);
-  const Stack stack(plot, font);
-  std::vector<double> legend_heights(plot.panels.size(), 0);
-  PlotLayout layout = stack.lay_out(legend_heights);
-  // A legend that goes outside takes height from every panel, after which another may find no place inside.
-  for (std::size_t p = 0; p < plot.panels.size();) {
-    const Panel& panel = plot.panels[p];
-    PanelLayout& placed = layout.panels[p];
-    if (!has_legend(panel)) {
-      ++p;
-    } else if (legend_heights[p] > 0) {
-      placed.legend =
-          legend_rows(panel, placed.frame.left, placed.frame.top - stack.head(p, legend_heights[p]),
-                      placed.frame.width(), stack.sizes(), font);
-      ++p;
-    } else if ((placed.legend = legend_inside(panel, placed, stack.sizes(), font))) {
-      ++p;
-    } else {
-      legend_heights[p] = legend_rows(panel, 0, 0, placed.frame.width(), stack.sizes(), font).box.height();
-      layout = stack.lay_out(legend_heights);
-      p = 0;
+  const PlotSizes sizes(plot.font_size);
+  const KeyLayout key = key_layout(plot.key, below_title(plot, sizes), plot.width, sizes, font);
+  PlotLayout layout;
+  layout.panels.resize(plot.panels.size());
+  for (int c = 0; c < plot.columns; ++c) {
+    const Plot part = column_of(plot, c);
+    PlotLayout column = stacked_layout(part, font, key.height);
+    layout.title_base = column.title_base;
+    for (std::size_t row = 0; row < column.panels.size(); ++row) {
+      const std::size_t p = row * static_cast<std::size_t>(plot.columns) + static_cast<std::size_t>(c);
+      if (p >= layout.panels.size()) break;
+      shift(column.panels[row], c * part.width);
+      layout.panels[p] = std::move(column.panels[row]);
     }
   }
+  layout.key = key.entries;
   return layout;
 }
 

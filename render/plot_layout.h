@@ -71,15 +71,24 @@ struct PanelLayout {
   std::optional<LegendLayout> legend;
 };
 
+/// An entry of a plot's key: a category, or a line.
+struct KeyEntry {
+  bool category = true;
+  std::size_t index = 0;  ///< among those of its kind
+  Rect sample;            ///< of the colour, or what the line runs through from left to right
+  Point at{0, 0};         ///< left end of the label's base line
+};
+
 struct PlotLayout {
   double title_base = 0;
+  std::vector<KeyEntry> key;
   std::vector<PanelLayout> panels;
 };
 
 /// Where everything in a plot goes. Needs the font, but nothing that draws.
 /// Throws OutputError when a series' x and y differ in number, a given range is not one or has no place on a
 /// logarithmic axis, equal axes are not linear, a rule or bar is not a number, ticks have labels but not one
-/// each, or the plot is too small.
+/// each, cells do not fit their edges or the key, or the plot is too small.
 PlotLayout plot_layout(const Plot& plot, const Font& font);
 
 /// Points of a series in pixels; those that cannot be drawn are not finite.

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "render/cell_grid.h"
+#include "render/key_layout.h"
 #include "render/plot_layout.h"
 
 namespace plumb {
@@ -30,12 +32,14 @@ TextStyle fitted(const Painter& painter, std::string_view text, TextStyle style,
 
 class PanelDrawing {
  public:
-  PanelDrawing(Painter& painter, const Panel& panel, const PanelLayout& layout, const PlotSizes& sizes)
-      : painter_(painter), panel_(panel), layout_(layout), sizes_(sizes) {}
+  PanelDrawing(Painter& painter, const Plot& plot, const Panel& panel, const PanelLayout& layout,
+               const PlotSizes& sizes)
+      : painter_(painter), categories_(plot.key.categories), panel_(panel), layout_(layout), sizes_(sizes) {}
 
   void draw() const {
+    if (panel_.cells) draw_cells(painter_, *panel_.cells, categories_, layout_, sizes_);
     for (const RuleLayout& rule : layout_.rules) band(rule);
-    grid();
+    if (!panel_.cells) grid();
     painter_.clip(layout_.frame);
     for (const Bar& bar : panel_.bars)
       if (const Rect area = bar_area(bar, layout_); area.width() > 0) painter_.fill(area, bar.color);
@@ -195,6 +199,7 @@ class PanelDrawing {
   }
 
   Painter& painter_;
+  const std::vector<CellCategory>& categories_;
   const Panel& panel_;
   const PanelLayout& layout_;
   const PlotSizes& sizes_;
@@ -213,8 +218,9 @@ Image PlotRenderer::draw(const Plot& plot) {
   painter_.begin(canvas);
   painter_.text(plot.title, fitted(painter_, plot.title, sizes.title, plot.width - 2 * sizes.gap),
                 plot.width / 2.0, layout.title_base, Align::center, ink);
+  draw_key(painter_, plot.key, layout.key, sizes);
   for (std::size_t p = 0; p < plot.panels.size(); ++p)
-    PanelDrawing(painter_, plot.panels[p], layout.panels[p], sizes).draw();
+    PanelDrawing(painter_, plot, plot.panels[p], layout.panels[p], sizes).draw();
   return canvas.read();
 }
 

@@ -8,19 +8,16 @@
 #include <set>
 
 #include "engine/study/cheapest.h"
-#include "report/base64.h"
 #include "report/page_template.h"
 #include "report/results.h"
 #include "report/study_chart_data.h"
 #include "report/study_figures.h"
 #include "report/study_lines.h"
-#include "report/verdict_html.h"
+#include "report/study_shell.h"
 
 namespace plumb {
 
 extern const std::string_view study_mustache;
-extern const std::string_view study_page_mustache;
-extern const std::string_view page_css;
 extern const std::string_view study_css;
 extern const std::string_view study_js;
 extern const std::string_view study_js_sha256;
@@ -73,12 +70,6 @@ data run_row(const WorkPrecision& study, const std::string& label, std::size_t i
   row["tangents"] = count(run.counters.tangent_evaluations);
   row["error"] = number(errors_of(run, question).tip_max) + " m";
   return row;
-}
-
-const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name) {
-  for (const Picture& picture : pictures)
-    if (picture.file == fmt::format("figures/{}.png", name)) return &picture;
-  return nullptr;
 }
 
 data picture_values(const Picture& picture, const std::string& more = "") {
@@ -291,17 +282,6 @@ std::string summary(const WorkPrecision& study) {
       "each with several steps or tolerances", meshes.size() == 1 ? "a mesh" : "meshes", of_meshes);
 }
 
-std::string script(std::string_view text) {
-  return fmt::format("<script>{}</script>\n", text);
-}
-
-std::string from_hex(std::string_view hex) {
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
-    bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
-  return bytes;
-}
-
 }  // namespace
 
 std::string study_section(const WorkPrecision& study, const std::vector<Picture>& pictures) {
@@ -332,41 +312,32 @@ std::string study_section(const WorkPrecision& study, const std::vector<Picture>
 std::string study_scripts(const WorkPrecision& study) {
   return fmt::format("<script type=\"application/json\" id=\"study-data\">{}</script>\n",
                      escape_json_for_html(study_chart_data(study))) +
-         script(chart_min_js) + script(study_js);
+         script_element(chart_min_js) + script_element(study_js);
 }
 
 std::string study_script_policy() {
-  return fmt::format("script-src 'sha256-{}' 'sha256-{}'", base64(from_hex(chart_min_js_sha256)),
-                     base64(from_hex(study_js_sha256)));
+  return script_policy({chart_min_js_sha256, study_js_sha256});
 }
 
 std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures) {
   const WorkPrecision& study = results.study.result;
-  const CaseSource& source = results.study.loaded.source;
-  data page;
-  page["title"] = study.title;
-  page["css"] = std::string(page_css) + std::string(study_css);
-  page["script_policy"] = study_script_policy();
-  page["headline"] = headline(results);
-  page["good"] = results.any_completed() && all_passed(results.verdicts);
-  page["has_orders"] = !study_lines(study, StudyQuestion::time).empty();
-  page["has_mesh"] = study.mesh.has_value();
-  page["section"] = study_section(study, pictures);
-  page["has_verdicts"] = !results.verdicts.empty();
-  page["verdicts"] = verdict_html(results.verdicts);
-  page["case_name"] = source.file.name;
-  page["case_text"] = source.file.text;
-  data overrides{data::type::list};
-  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
-  page["has_overrides"] = !source.overrides.empty();
-  page.set("overrides", overrides);
-  page["provenance"] = pair_rows(study.provenance);
-  std::vector<std::pair<std::string, std::string>> stages;
-  for (const auto& [name, seconds] : results.stages.all())
-    stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pair_rows(stages);
-  page["scripts"] = study_scripts(study);
-  return fill_in(study_page_mustache, page);
+  StudyShell shell;
+  shell.title = study.title;
+  shell.subject = "speed against accuracy";
+  shell.headline = headline(results);
+  shell.good = results.any_completed() && all_passed(results.verdicts);
+  shell.sections = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
+  if (!study_lines(study, StudyQuestion::time).empty()) shell.sections.emplace_back("study-orders", "Orders");
+  if (study.mesh) shell.sections.emplace_back("study-mesh", "Mesh");
+  shell.sections.emplace_back("study-failures", "Failures");
+  shell.section = study_section(study, pictures);
+  shell.css = study_css;
+  shell.scripts = study_scripts(study);
+  shell.script_policy = study_script_policy();
+  shell.verdict_note =
+      "All are <strong>verification</strong>: of the references, and of each method's order where its curve "
+      "shows one.";
+  return study_shell(shell, results.verdicts, results.study.loaded.source, study.provenance, results.stages);
 }
 
 }  // namespace plumb

@@ -48,6 +48,10 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time);
 /// [study.work_precision]; an empty table gives the defaults.
 WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable, const TimeSpec& time);
 
+/// [study.stability]; an empty table gives the defaults.
+StabilitySpec read_stability(TableReader table, const std::map<std::string, double>& parameters,
+                             const CableSpec& cable, const TimeSpec& time);
+
 /// [study.sweep]; an empty table gives the defaults.
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
 SweepSpec default_sweep(const CableSpec& cable);

@@ -10,7 +10,7 @@ struct StabilitySpec {
   std::string parameter;                 ///< of [parameters], varied beside the step; empty: none
   std::vector<double> parameter_values;  ///< rising
   std::vector<int> elements;             ///< meshes, rising
-  std::vector<double> durations;         ///< s, rising; the last one is that of every run
+  std::vector<double> durations;         ///< s, rising; the other maps go to the end of the case
   std::vector<std::string> methods;      ///< names, in the order of method_infos()
   double largest_step = 0;               ///< s
   double smallest_step = 0;              ///< s, less than the largest

@@ -26,11 +26,14 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
 void read_studies(TableReader study, const NamedText& file, const std::vector<std::string>& overrides,
                   const ReferenceText& text_of, Case& spec) {
   const bool has_work_precision = study.has("work_precision");
+  const bool has_stability = study.has("stability");
   const bool has_sweep = study.has("sweep");
   const std::vector<TableReader> variants = study.tables("variant");
   study.finish();
   if (has_work_precision)
     spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+  if (has_stability)
+    spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
   if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
   spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;

@@ -156,6 +156,15 @@ const std::vector<TomlValue>* TableReader::find_list(std::string_view key, std::
   return &value->items;
 }
 
+std::optional<std::vector<double>> TableReader::numbers(std::string_view key, const Range& range) {
+  const std::vector<TomlValue>* items = find_list(key, "a list of numbers");
+  if (items == nullptr) return {};
+  std::vector<double> result;
+  for (std::size_t i = 0; i < items->size(); ++i)
+    result.push_back(number_in((*items)[i], fmt::format("{}.{}", full_key(key), i), range));
+  return result;
+}
+
 std::optional<std::vector<int>> TableReader::wholes(std::string_view key, int low, int high) {
   const std::vector<TomlValue>* items = find_list(key, "a list of whole numbers");
   if (items == nullptr) return {};

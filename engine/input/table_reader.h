@@ -37,6 +37,8 @@ class TableReader {
   Vec3 vector(std::string_view key, std::string_view unit, const Vec3& fallback);
   /// A list of `count` numbers, or nothing where it is missing.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count, const Range& range);
+  /// A list of any number of numbers, one or more, or nothing where it is missing.
+  std::optional<std::vector<double>> numbers(std::string_view key, const Range& range);
   /// A list of any number of whole numbers, one or more, or nothing where it is missing.
   std::optional<std::vector<int>> wholes(std::string_view key, int low, int high);
   /// A list of one or more of the allowed words, as places among them, or nothing where it is missing.

@@ -19,8 +19,8 @@ inline constexpr double no_time_limit = std::numeric_limits<double>::infinity();
 std::vector<double> output_times(const TimeSpec& time);
 
 /// Integrates the cable of a case from its start. A failure of the method is an outcome, with what was
-/// computed up to then kept; so is a time loop of more than `time_limit` seconds, which is looked at every
-/// few steps, and after each one that takes long. Throws Interrupted if the user stops it.
+/// computed up to then kept; so is a time loop of more than `time_limit` seconds of the processor, which are
+/// looked at every few steps, and after each one that takes long. Throws Interrupted if the user stops it.
 Trajectory integrate(const Case& spec, const Progress& progress = {}, double time_limit = no_time_limit);
 
 /// The same for any cable and start, e.g. a start that no case describes.

@@ -10,6 +10,9 @@
 
 namespace plumb {
 
+/// True for accurate and inaccurate: completed, with the energy bounded.
+bool is_stable(Outcome outcome);
+
 /// What a map of outcomes has beside the step.
 enum class MapAxis { parameter, elements, duration };
 /// "parameter", "elements", "duration".
@@ -101,12 +104,25 @@ struct Separation {
   std::string in_words;
 };
 
+/// The exact motion that the runs on one mesh, at one value of the parameter, are judged by.
+struct StabilityReference {
+  double parameter = 0;
+  int elements = 0;
+  double duration = 0;            ///< s
+  std::string first, second;      ///< the methods that were held together
+  double agreement = -1;          ///< greatest distance of their tips, m; -1: they could not be compared
+  double trusted_until = -1;      ///< s: up to there they agree to a tenth of the tolerance
+  double frequency_at_start = 0;  ///< of the fastest vibration, rad/s
+  double frequency_at_worst = 0;  ///< the greatest along the motion, rad/s
+};
+
 /// Where methods fail on one case.
 struct Stability {
   std::string title;
   std::string parameter;       ///< its name; empty: none varied
   double parameter_value = 0;  ///< of the case itself
   int elements = 0;            ///< of the case itself
+  double end = 0;              ///< of the case and of maps over the parameter and the elements, s
   double duration = 0;         ///< longest, s
   double tolerance = 0;        ///< m
   std::vector<OutcomeMap> maps;
@@ -114,6 +130,7 @@ struct Stability {
   std::vector<EnergyHistory> energies;
   std::vector<ModeAmplification> amplifications;
   std::vector<Separation> separations;
+  std::vector<StabilityReference> references;
   Provenance provenance;
 };
 

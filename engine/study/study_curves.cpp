@@ -21,6 +21,7 @@ const std::vector<Variants>& all_variants() {
       {"arkode-dirk", "order", "order {:g}", {3, 5}},
       {"generalized-alpha", "spectral_radius", "ρ∞ = {:g}", {1, 0.8, 0.5}},
       {"hht", "alpha", "α = {:g}", {-0.3, -0.05}},
+      {"bdf", "order", "order {:g}", {2, 3, 4, 5}},
       {"cvode-bdf", "max_order", "order ≤ {:g}", {2, 5}},
   };
   return all;

@@ -14,6 +14,7 @@
 #include "engine/errors.h"
 #include "engine/output/provenance.h"
 #include "engine/output/stored_parts.h"
+#include "engine/study/method_json.h"
 
 namespace plumb {
 namespace {
@@ -28,24 +29,6 @@ std::string run_key(const MethodSpec& method, int elements) {
   return key;
 }
 
-Json method_json(const MethodSpec& method) {
-  Json json{{"name", method.name}, {"parameters", method.parameters}};
-  if (method.step) json["step"] = *method.step;
-  if (method.rtol) json["rtol"] = *method.rtol;
-  if (method.atol) json["atol"] = *method.atol;
-  return json;
-}
-
-MethodSpec method_of(const Json& json) {
-  MethodSpec method;
-  method.name = json.at("name");
-  method.parameters = json.at("parameters").get<std::map<std::string, double>>();
-  if (json.contains("step")) method.step = json.at("step").get<double>();
-  if (json.contains("rtol")) method.rtol = json.at("rtol").get<double>();
-  if (json.contains("atol")) method.atol = json.at("atol").get<double>();
-  return method;
-}
-
 Json norms_json(const ErrorNorms& norms) {
   return {norms.tip_max, norms.tip_rms, norms.curve, norms.energy};
 }
@@ -57,7 +40,7 @@ ErrorNorms norms_of(const Json& json) {
 Json run_json(const StudyRun& run) {
   Json counters = Json::array();
   for (const auto& [name, part] : stored_counters()) counters.push_back(run.counters.*part);
-  return {{"method", method_json(run.method)},
+  return {{"method", method_to_json(run.method)},
           {"elements", run.elements},
           {"outcome", word(run.outcome)},
           {"message", run.message},
@@ -68,7 +51,7 @@ Json run_json(const StudyRun& run) {
 
 StudyRun run_of(const Json& json) {
   StudyRun run;
-  run.method = method_of(json.at("method"));
+  run.method = method_from_json(json.at("method"));
   run.elements = json.at("elements");
   run.outcome = stored_outcome(json.at("outcome"));
   run.message = json.at("message");
@@ -81,7 +64,7 @@ StudyRun run_of(const Json& json) {
 
 Json reference_json(const StudyReference& reference) {
   const CertifiedReference& c = reference.certificate;
-  return {{"method", method_json(reference.method)},
+  return {{"method", method_to_json(reference.method)},
           {"elements", c.elements},
           {"first", c.first},
           {"second", c.second},
@@ -92,7 +75,7 @@ Json reference_json(const StudyReference& reference) {
 StudyReference reference_of(const Json& json) {
   StudyReference reference;
   // One that gave no trajectory is marked by the lack of a method.
-  if (json.at("completed").get<bool>()) reference.method = method_of(json.at("method"));
+  if (json.at("completed").get<bool>()) reference.method = method_from_json(json.at("method"));
   reference.certificate.elements = json.at("elements");
   reference.certificate.first = json.at("first");
   reference.certificate.second = json.at("second");

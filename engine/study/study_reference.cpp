@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/input/straight_frequency.h"
 #include "engine/integrate/integrate.h"
 #include "engine/study/error_norms.h"
 
@@ -59,17 +60,11 @@ StudyReference reference_of(const Trajectory& trajectory, const MethodSpec& firs
   return result;
 }
 
-/// A guess at the step from which the Nyström pair is stable, judged as rk4 would be: twice that which the
-/// fastest wave through one element allows, axial (9.55 c/l for the straight cable) or bending (√8400 c_b/l²
-/// of a free element). Too long a step only costs a run.
+/// A guess at the step from which the Nyström pair is stable, judged as rk4 would be. Too long a step only
+/// costs a run.
 double first_step(const Case& spec) {
   constexpr double limit = 2.828;
-  const double l = spec.cable.length / spec.cable.elements;
-  const double axial = 9.55 * std::sqrt(spec.cable.youngs_modulus / spec.cable.density) / l;
-  const double bending = std::sqrt(8400 * spec.cable.youngs_modulus * spec.cable.second_moment /
-                                   (spec.cable.density * spec.cable.area)) /
-                         (l * l);
-  return std::min(limit / std::max(axial, bending), spec.time.output_interval);
+  return std::min(limit / straight_frequency(spec.cable), spec.time.output_interval);
 }
 
 double dividing(double output_interval, double step) {

@@ -10,6 +10,7 @@
 #include "engine/input/file_text.h"
 #include "engine/input/nearest.h"
 #include "engine/input/place.h"
+#include "engine/study/stability_file.h"
 
 namespace plumb {
 
@@ -17,6 +18,8 @@ std::span<const StudyKind> study_kinds() {
   static const std::vector<StudyKind> all{
       {"work-precision", "_study", [](const Case& spec) { return spec.work_precision.has_value(); },
        work_precision_study, nullptr},
+      {stability_kind, "_stability", [](const Case& spec) { return spec.stability.has_value(); },
+       stability_study, stability_report},
       {"variants", "_variants", [](const Case& spec) { return !spec.variants.empty(); }, variants_study,
        variants_report},
       {"sweep", "_sweep", [](const Case& spec) { return spec.sweep.has_value(); }, sweep_study, sweep_report},

@@ -58,4 +58,9 @@ ExitStatus variants_study(const LoadedCase& loaded, OutputFolder& folder, Stages
 ExitStatus variants_report(const std::string& json, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk);
 
+ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                           const Options& options, Talk& talk);
+ExitStatus stability_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                            const Options& options, Talk& talk);
+
 }  // namespace plumb

@@ -1,0 +1,75 @@
+#include "engine/study/stability_file.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/errors.h"
+#include "engine/input/place.h"
+#include "engine/study/stability_json.h"
+
+namespace plumb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr long version = 1;
+
+Json text_json(const NamedText& text) {
+  return {{"name", text.name}, {"text", text.text}};
+}
+
+NamedText text_of(const Json& json) {
+  return {json.at("name").get<std::string>(), json.at("text").get<std::string>()};
+}
+
+Json source_json(const CaseSource& source) {
+  Json json{{"file", text_json(source.file)}, {"overrides", source.overrides}, {"references", Json::array()}};
+  for (const NamedText& reference : source.references) json["references"].push_back(text_json(reference));
+  return json;
+}
+
+CaseSource source_of(const Json& json) {
+  CaseSource source{text_of(json.at("file")), json.at("overrides").get<std::vector<std::string>>(), {}};
+  for (const Json& reference : json.at("references")) source.references.push_back(text_of(reference));
+  return source;
+}
+
+StabilityStudyFile study_of(const Json& json) {
+  if (json.at("kind") != stability_kind) throw std::runtime_error("it is no stability study");
+  if (json.at("version").get<long>() > version)
+    throw std::runtime_error(fmt::format("its version {} is beyond what this program reads, {}",
+                                         json.at("version").get<long>(), version));
+  return {load_case(source_of(json.at("case"))), stability_from_json(json.at("result"))};
+}
+
+}  // namespace
+
+std::string encode_stability(const StabilityStudyFile& study) {
+  const Json json{{"kind", stability_kind},
+                  {"version", version},
+                  {"case", source_json(study.loaded.source)},
+                  {"result", stability_to_json(study.result)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+StabilityStudyFile decode_stability(const std::string& text, const std::string& name) {
+  const auto refuse = [&](const std::string& why) -> InputError {
+    return InputError(one_line(fmt::format("{}: cannot be used: {}", name, why)));
+  };
+  try {
+    return study_of(Json::parse(text));
+  } catch (const nlohmann::json::exception& error) {
+    throw refuse(error.what());
+  } catch (const InputError& error) {
+    throw InputError(one_line(fmt::format("{}: the case in it is invalid: {}", name, error.what())));
+  } catch (const UsageError& error) {
+    throw refuse(error.what());
+  } catch (const std::bad_alloc&) {
+    throw refuse("it is too large for the memory at hand");
+  } catch (const std::runtime_error& error) {
+    throw refuse(error.what());
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include "engine/output/file_writing.h"
+#include "engine/study/run_stability.h"
+#include "report/program/study_kinds.h"
+#include "report/program/work.h"
+#include "report/stability_figures.h"
+#include "report/stability_page.h"
+#include "report/stability_results.h"
+
+namespace plumb {
+namespace {
+
+void say_words(const Stability& study, Talk& talk) {
+  const MapAxis axis = study.parameter.empty() ? MapAxis::elements : MapAxis::parameter;
+  talk.line(fmt::format("Steps at {}, to {:g} m", place_in_words(study, MapAxis::duration), study.tolerance));
+  for (const OutcomeMap& map : study.maps)
+    if (map.axis == axis) talk.line(fmt::format("  {}: {}", map.label, map.in_words));
+}
+
+ExitStatus report(const StabilityStudyFile& study, OutputFolder& folder, Stages& stages,
+                  const Options& options, Talk& talk) {
+  write_file(folder.file(study_json_name), encode_stability(study));
+  stages.begin("figures");
+  const std::vector<Picture> pictures = draw_stability(study.result, folder);
+  stages.begin("report");
+  const StabilityResults results = evaluate_stability(study, stages);
+  write_file(folder.file("index.html"), to_stability_page(results, pictures));
+  const std::string json = to_json(results);
+  write_file(folder.file("results.json"), json);
+  write_file(folder.file("junit.xml"), to_junit(results));
+  write_file(folder.file("summary.md"), to_summary(results));
+  folder.commit();
+  stages.end();
+  say_words(study.result, talk);
+  say_verdicts(results.verdicts, talk);
+  talk.line(headline(results));
+  say_stages(stages, talk);
+  talk.line("report: " + folder.path() + "/index.html");
+  if (options.json) write_to_standard_output(json);
+  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+}  // namespace
+
+ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                           const Options& options, Talk& talk) {
+  std::string stage;
+  StabilityStudyFile study{loaded, run_stability(loaded, [&](const std::string& part, double share) {
+                             if (part != stage) stages.begin(stage = part);
+                             talk.progress(part, share);
+                           })};
+  talk.end_progress();
+  return report(study, folder, stages, options, talk);
+}
+
+ExitStatus stability_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                            const Options& options, Talk& talk) {
+  return report(decode_stability(json, options.input), folder, stages, options, talk);
+}
+
+}  // namespace plumb
