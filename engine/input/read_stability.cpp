@@ -105,12 +105,19 @@ void read_methods(TableReader& table, std::string_view key, const std::vector<st
     if (std::find(chosen->begin(), chosen->end(), k) != chosen->end()) methods.push_back(allowed[k]);
 }
 
-void check_steps(const TableReader& table, const StabilitySpec& spec, const TimeSpec& time) {
+/// A case that is run for a shorter time, as with --set time.end=0.1, or with rarer outputs, has a study that
+/// suits it.
+void suit_case(StabilitySpec& spec, const TimeSpec& time) {
+  for (double& duration : spec.durations)
+    duration = std::max(duration, std::min(time.output_interval, time.end));
+  sort_out(spec.durations);
   const double shortest = std::min(spec.durations.front(), time.end);
-  for (const auto& [key, step] :
-       {std::pair{"largest_step", spec.largest_step}, std::pair{"energy_step", spec.energy_step}})
-    if (step > shortest)
-      table.refuse_value(key, fmt::format("must be at most the shortest duration, {} (s)", shortest));
+  spec.largest_step = std::min(spec.largest_step, shortest);
+  spec.smallest_step = std::min(spec.smallest_step, 0.1 * shortest);
+  spec.energy_step = std::min(spec.energy_step, shortest);
+}
+
+void check_steps(const TableReader& table, const StabilitySpec& spec, const TimeSpec& time) {
   if (spec.smallest_step >= spec.largest_step)
     table.refuse_value("smallest_step",
                        fmt::format("must be less than the largest step, {} (s)", spec.largest_step));
@@ -156,11 +163,9 @@ StabilitySpec read_stability(TableReader table, const std::map<std::string, doub
   spec.energy_step = table.number("energy_step", Range::positive("s"), 0);
   table.finish();
 
-  if (spec.durations.front() < time.output_interval)
-    table.refuse_value("durations",
-                       fmt::format("must be at least the output interval, {} (s)", time.output_interval));
   set_default_steps(spec, cable);
   check_steps(table, spec, time);
+  suit_case(spec, time);
   if (spec.tightest_tolerance >= spec.loosest_tolerance)
     table.refuse_value("tightest_tolerance",
                        fmt::format("must be less than the loosest tolerance, {}", spec.loosest_tolerance));
