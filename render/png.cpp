@@ -82,6 +82,16 @@ std::string encode_png(const Image& image, const PngTexts& texts) {
   return std::move(sink.bytes);
 }
 
+std::optional<std::string> text_in_png(std::string_view bytes, const std::string& keyword,
+                                    const std::string& name) {
+  for (const PngChunk& chunk : png_chunks(bytes, name)) {
+    const std::size_t end = chunk.data.find('\0');
+    if (chunk.type == "tEXt" && end != std::string_view::npos && chunk.data.substr(0, end) == keyword)
+      return std::string(chunk.data.substr(end + 1));
+  }
+  return {};
+}
+
 Image decode_png(std::string_view bytes, const std::string& name) {
   png_chunks(bytes, name);  // libpng alone takes a file without its end
   png_image header{};

@@ -51,6 +51,10 @@ SceneSpec page_scene(SceneSpec spec) {
 
 }  // namespace
 
+PngTexts picture_texts(const GlContext& context, const std::string& title) {
+  return {{"Software", "Plumb"}, {"Title", title}, {renderer_keyword, context.info().fingerprint()}};
+}
+
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
                                   const PngTexts& texts, OutputFolder& folder) {
   std::vector<Picture> pictures;
@@ -68,9 +72,9 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
 Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFolder& folder, Stages& stages,
               const DrawingProgress& progress) {
   Pictures result;
-  const PngTexts texts{{"Software", "Plumb"}, {"Title", run.loaded.source.file.name}};
   stages.begin("figures");
   const GlContext context;
+  const PngTexts texts = picture_texts(context, run.loaded.source.file.name);
   result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
   stages.begin("frames");
@@ -95,6 +99,7 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFold
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];
+  result.renderer = context.info().fingerprint();
   stages.end();
   return result;
 }

@@ -31,7 +31,11 @@ struct Pictures {
   int page_animation_height = 0;  ///< pixels
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
+  std::string renderer;           ///< GlInfo::fingerprint() of what drew them
 };
+
+/// What every picture file says of itself: program, title, and what drew it.
+PngTexts picture_texts(const GlContext& context, const std::string& title);
 
 /// Draws figures into a folder: figures/*.png. Throws OutputError when drawing or writing fails, Interrupted
 /// when the user stops it.
