@@ -83,7 +83,7 @@ std::string encode_png(const Image& image, const PngTexts& texts) {
 }
 
 std::optional<std::string> text_in_png(std::string_view bytes, const std::string& keyword,
-                                    const std::string& name) {
+                                       const std::string& name) {
   for (const PngChunk& chunk : png_chunks(bytes, name)) {
     const std::size_t end = chunk.data.find('\0');
     if (chunk.type == "tEXt" && end != std::string_view::npos && chunk.data.substr(0, end) == keyword)

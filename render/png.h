@@ -27,6 +27,6 @@ Image decode_png(std::string_view bytes, const std::string& name);
 /// The text of a keyword in the bytes of a PNG file; nothing where it has none. Throws InputError that names
 /// `name` on bad data.
 std::optional<std::string> text_in_png(std::string_view bytes, const std::string& keyword,
-                                    const std::string& name);
+                                       const std::string& name);
 
 }  // namespace plumb

@@ -13,6 +13,7 @@
 #include "render/plot_renderer.h"
 #include "render/png.h"
 #include "render/scene.h"
+#include "report/figure_csv.h"
 
 namespace plumb {
 namespace {
@@ -64,6 +65,7 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
     Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
                     figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
     write_file(folder.file(picture.file), picture.png);
+    write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), to_csv(figure.plot));
     pictures.push_back(std::move(picture));
   }
   return pictures;

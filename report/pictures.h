@@ -37,8 +37,8 @@ struct Pictures {
 /// What every picture file says of itself: program, title, and what drew it.
 PngTexts picture_texts(const GlContext& context, const std::string& title);
 
-/// Draws figures into a folder: figures/*.png. Throws OutputError when drawing or writing fails, Interrupted
-/// when the user stops it.
+/// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
+/// when drawing or writing fails, Interrupted when the user stops it.
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
                                   const PngTexts& texts, OutputFolder& folder);
 

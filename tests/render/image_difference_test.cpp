@@ -1,7 +1,7 @@
 #include "render/image_difference.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
