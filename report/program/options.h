@@ -25,6 +25,10 @@ struct Options {
   std::vector<std::string> overrides;  ///< of --set
   std::string output;                  ///< of -o; empty: not given
   std::string csv;                     ///< of --csv; empty: not given
+  std::string frames;                  ///< of --frames; empty: not given
+  std::string size;                    ///< of --size
+  std::string camera;                  ///< of --camera
+  std::string video;                   ///< of --video
   std::string html;                    ///< of --html; empty: not given
   std::optional<int> channel;          ///< of --channel
   std::optional<double> density;       ///< of --density

@@ -1,10 +1,11 @@
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "engine/integrate/integrate.h"
-#include "render/png.h"
+#include "render/frame_stream.h"
 #include "render/scene.h"
 #include "tests/engine/pendulum.h"
 
@@ -58,10 +59,37 @@ void encode(benchmark::State& state) {
                       scene_of(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
   const Image image = scene.frame(7);
   std::size_t bytes = 0;
-  for (auto _ : state) bytes = encode_png(image).size();
+  for (auto _ : state) bytes = encode_png(image, {}, PngEffort::quick).size();
   state.counters["bytes"] = static_cast<double>(bytes);
 }
 BENCHMARK(encode)->Args({960, 540})->Args({1920, 1080})->Unit(benchmark::kMillisecond);
+
+/// Frames of half a second, drawn, encoded and on the disk.
+void frames_to_disk(benchmark::State& state) {
+  const Trajectory trajectory = motion(4);
+  const GlContext context;
+  SceneInput input = scene_of(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  input.spec.frame_rate = 100;
+  SceneRenderer scene(context, trajectory, input);
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("plumb_frames_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  scene.frame(0);  // the driver compiles its shaders with the first picture
+  for (auto _ : state)
+    stream_frames(scene, {0, scene.frame_count() - 1}, {}, PngEffort::quick,
+                  [&](int k, const std::string& png) {
+                    std::ofstream(folder / (std::to_string(k) + ".png"), std::ios::binary) << png;
+                  });
+  std::filesystem::remove_all(folder);
+  state.counters["frames/s"] = benchmark::Counter(static_cast<double>(scene.frame_count()),
+                                                  benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(frames_to_disk)
+    ->Args({960, 540})
+    ->Args({1920, 1080})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace plumb
