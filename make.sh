@@ -3,7 +3,7 @@
 #   ./make.sh report   runs the pendulum and ends with where its report is
 #   ./make.sh test     runs the whole test suite
 #   ./make.sh build    builds only
-#   ./make.sh bench    measures the kernels and one step of each method
+#   ./make.sh bench    measures the kernels, one step of each method, and frames
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -64,8 +64,15 @@ case ${1:-} in
     build plumb
     ;;
   bench)
-    build plumb_bench
+    build plumb plumb_bench
     "build/$preset/tests/plumb_bench" --benchmark_min_time=0.2 --benchmark_counters_tabular=true "${@:2}"
+    # The yardstick for frames_to_disk, in the same run; for those who have it.
+    if python3 -c 'import matplotlib' 2>/dev/null; then
+      "build/$preset/plumb" solve cases/pendulum.toml --quiet --csv build/bench_probes.csv
+      python3 tests/bench/matplotlib_frames.py build/bench_probes.csv 40
+    else
+      echo "matplotlib is not installed (python3-matplotlib): its frames a second are not measured"
+    fi
     ;;
   *)
     if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build and bench" >&2; fi

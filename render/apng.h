@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace plumb {
 
@@ -11,5 +12,9 @@ namespace plumb {
 /// OutputError when there is no frame, the headers differ, or the rate cannot be written; InputError when a
 /// frame is not a PNG.
 std::string join_apng(std::span<const std::string> frames, double frame_rate);
+
+/// The frames of an animated PNG of that kind, each as a PNG file; of one that is not animated, itself.
+/// Throws InputError that names `name` on bad data, or for a frame that is but a part of the picture.
+std::vector<std::string> split_apng(const std::string& bytes, const std::string& name);
 
 }  // namespace plumb

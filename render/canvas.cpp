@@ -13,11 +13,19 @@ namespace plumb {
 namespace {
 
 // What every renderer of a core profile has to offer; more raises an error and keeps the storage as it was.
-constexpr int samples = 4;
+constexpr int most_samples = 4;
+
+constexpr int samples_of(int supersampling) {
+  return supersampling % 2 == 0 ? most_samples : 1;
+}
+
+constexpr int layer_scale_of(int supersampling) {
+  return supersampling % 2 == 0 ? supersampling / 2 : supersampling;
+}
 
 // Checked before any member takes something from OpenGL.
 const GlContext& ready(const GlContext& context, int width, int height, int supersampling) {
-  context.check_size(width, height, supersampling);
+  context.check_size(width, height, layer_scale_of(supersampling));
   return context.make_current();
 }
 
@@ -30,7 +38,7 @@ void check_complete(const GlContext& context, int width, int height) {
 
 }  // namespace
 
-Canvas::Geometry::Geometry(const GlContext& context, int width, int height)
+Canvas::Geometry::Geometry(const GlContext& context, int width, int height, int samples)
     : color(context), depth(context), framebuffer(context) {
   const Gl& gl = context.gl();
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, color.id());
@@ -43,21 +51,24 @@ Canvas::Geometry::Geometry(const GlContext& context, int width, int height)
   check_complete(context, width, height);
 }
 
+Canvas::Layer::Layer(const GlContext& context, int width, int height) : color(context), framebuffer(context) {
+  const Gl& gl = context.gl();
+  gl.BindTexture(GL_TEXTURE_2D, color.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color.id(), 0);
+  check_complete(context, width, height);
+}
+
 Canvas::Canvas(const GlContext& context, int width, int height, int supersampling)
     : context_(ready(context, width, height, supersampling)),
       width_(width),
       height_(height),
-      supersampling_(supersampling),
-      color_(context),
-      framebuffer_(context),
+      samples_(samples_of(supersampling)),
+      layer_scale_(layer_scale_of(supersampling)),
+      flat_(context, width, height),
       no_attributes_(context) {
-  const Gl& gl = context.gl();
-  gl.BindTexture(GL_TEXTURE_2D, color_.id());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
-  check_complete(context, width, height);
   context.check("making a canvas");
 }
 
@@ -79,10 +90,10 @@ void Canvas::begin_geometry(const Rect& region) {
   region_.top = std::floor(inside(region.top, height_));
   region_.right = std::ceil(inside(region.right, width_));
   region_.bottom = std::ceil(inside(region.bottom, height_));
-  if (!geometry_) geometry_.emplace(context_, width_ * supersampling_, height_ * supersampling_);
+  if (!geometry_) geometry_.emplace(context_, width_ * layer_scale_, height_ * layer_scale_, samples_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, geometry_->framebuffer.id());
-  gl.Viewport(0, 0, width_ * supersampling_, height_ * supersampling_);
-  clip(supersampling_);
+  gl.Viewport(0, 0, width_ * layer_scale_, height_ * layer_scale_);
+  clip(layer_scale_);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.Enable(GL_BLEND);
@@ -101,8 +112,8 @@ void Canvas::resolve() {
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, geometry_->color.id());
   resolver_->use();
-  resolver_->set("scale", supersampling_);
-  resolver_->set("samples", samples);
+  resolver_->set("scale", layer_scale_);
+  resolver_->set("samples", samples_);
   gl.BindVertexArray(no_attributes_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   bind_flat();
@@ -115,7 +126,7 @@ void Canvas::begin_flat(Color background) {
 }
 
 void Canvas::bind_flat_framebuffer() const {
-  context_.gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  context_.gl().BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.id());
   context_.gl().Viewport(0, 0, width_, height_);
 }
 
@@ -129,12 +140,22 @@ void Canvas::bind_flat() const {
   gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void Canvas::copy_to(const GlTexture& texture) const {
+void Canvas::copy(const Layer& from, const Layer& to) const {
   const Gl& gl = context_.gl();
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.BindTexture(GL_TEXTURE_2D, texture.id());
-  gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, width_, height_, 0);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.id());
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());
+  gl.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void Canvas::keep() {
+  if (!kept_) kept_.emplace(context_, width_, height_);
+  copy(flat_, *kept_);
+}
+
+void Canvas::restore() const {
+  copy(*kept_, flat_);
+  bind_flat();
 }
 
 Image Canvas::read() const {
@@ -142,7 +163,7 @@ Image Canvas::read() const {
   const auto columns = static_cast<std::size_t>(width_);
   const auto rows = static_cast<std::size_t>(height_);
   std::vector<std::uint8_t> rgba(4 * columns * rows);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.id());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   context_.check("drawing a picture");

@@ -10,8 +10,8 @@
 namespace plumb {
 
 /// A picture being drawn, in two layers: flat drawings and text at the picture's own size, so that they stay
-/// crisp, and geometry, with depth, `supersampling` times as large and with 4 samples in each of its pixels,
-/// which resolve() averages and lays over the picture.
+/// crisp, and geometry, with depth, of `supersampling` by `supersampling` samples a pixel, which resolve()
+/// averages and lays over the picture.
 class Canvas {
  public:
   /// Width and height in pixels, supersampling in samples along each side of a pixel, all ≥ 1.
@@ -31,33 +31,45 @@ class Canvas {
   /// The same without a change to clipping or blending.
   void bind_flat_framebuffer() const;
 
-  /// Makes `texture` a copy of the picture so far.
-  void copy_to(const GlTexture& texture) const;
+  /// Keeps the picture so far; restore() makes it the picture again.
+  void keep();
+  void restore() const;
   /// The picture so far. Throws OutputError when OpenGL has recorded an error.
   Image read() const;
 
   Rect whole() const { return {0, 0, static_cast<double>(width_), static_cast<double>(height_)}; }
   int width() const { return width_; }
   int height() const { return height_; }
-  int supersampling() const { return supersampling_; }
+  /// How many times the geometry layer is as large along each side. Four samples of a pixel are one pixel of
+  /// the layer, which costs a quarter of four pixels: an even supersampling has half as large a layer.
+  int layer_scale() const { return layer_scale_; }
 
  private:
   struct Geometry {
-    explicit Geometry(const GlContext& context, int width, int height);
+    Geometry(const GlContext& context, int width, int height, int samples);
     GlTexture color;
     GlTexture depth;
     GlFramebuffer framebuffer;
   };
 
+  // A picture of the canvas's size.
+  struct Layer {
+    Layer(const GlContext& context, int width, int height);
+    GlTexture color;
+    GlFramebuffer framebuffer;
+  };
+
+  void copy(const Layer& from, const Layer& to) const;
   // Limits drawing to the region, in a layer `scale` times the picture's size.
   void clip(int scale) const;
 
   const GlContext& context_;
   int width_;
   int height_;
-  int supersampling_;
-  GlTexture color_;
-  GlFramebuffer framebuffer_;
+  int samples_;  // a pixel of the geometry layer
+  int layer_scale_;
+  Layer flat_;
+  std::optional<Layer> kept_;
   std::optional<Geometry> geometry_;
   Rect region_;
   std::optional<GlProgram> resolver_;

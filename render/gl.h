@@ -14,12 +14,12 @@ namespace plumb {
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                 \
   X(PFNGLBLENDEQUATIONPROC, BlendEquation)                     \
   X(PFNGLBLENDFUNCPROC, BlendFunc)                             \
+  X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                 \
   X(PFNGLBUFFERDATAPROC, BufferData)                           \
   X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)   \
   X(PFNGLCLEARPROC, Clear)                                     \
   X(PFNGLCLEARCOLORPROC, ClearColor)                           \
   X(PFNGLCOMPILESHADERPROC, CompileShader)                     \
-  X(PFNGLCOPYTEXIMAGE2DPROC, CopyTexImage2D)                   \
   X(PFNGLCREATEPROGRAMPROC, CreateProgram)                     \
   X(PFNGLCREATESHADERPROC, CreateShader)                       \
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                     \

@@ -1,26 +1,16 @@
 #include "render/gl_context.h"
 
-#include "render/gl.h"
-// After gl.h: the core-profile header has to declare its types before GL/gl.h declares fewer.
-#include <GL/osmesa.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 
 #include "engine/errors.h"
+#include "render/gl.h"
 
 namespace plumb {
 
 namespace {
-
-constexpr int window_size = 16;
-
-template <typename Function>
-void load(Function& function, const char* name) {
-  function = reinterpret_cast<Function>(OSMesaGetProcAddress(name));
-  if (function == nullptr) throw OutputError(fmt::format("OpenGL: the driver has no {}", name));
-}
 
 void refuse_crashing_environment() {
   // The driver would leave a cache of compiled shaders in the home folder.
@@ -50,37 +40,22 @@ const char* error_name(GLenum error) {
 
 }  // namespace
 
-void GlContext::Release::operator()(void* context) const {
-  OSMesaDestroyContext(static_cast<OSMesaContext>(context));
-}
-
-GlContext::GlContext() : window_(std::size_t{4} * window_size * window_size) {
+GlContext::GlContext(const GlBackendChoice& choice) {
   refuse_crashing_environment();
-  const int attributes[] = {OSMESA_FORMAT,
-                            OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS,
-                            0,
-                            OSMESA_STENCIL_BITS,
-                            0,
-                            OSMESA_ACCUM_BITS,
-                            0,
-                            OSMESA_PROFILE,
-                            OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION,
-                            3,
-                            OSMESA_CONTEXT_MINOR_VERSION,
-                            3,
-                            0,
-                            0};
-  context_.reset(OSMesaCreateContextAttribs(attributes, nullptr));
-  if (!context_) throw OutputError("OpenGL: OSMesa gives no core profile of version 3.3 or above");
+  backend_ = make_gl_backend(choice);
   make_current();
 
   gl_ = std::make_unique<Gl>();
-#define PLUMB_GL_LOAD(type, name) load(gl_->name, "gl" #name);
+  const auto address = [&](const char* name) {
+    void* const found = backend_->address(name);
+    if (found == nullptr) throw OutputError(fmt::format("OpenGL: the driver has no {}", name));
+    return found;
+  };
+#define PLUMB_GL_LOAD(type, name) gl_->name = reinterpret_cast<type>(address("gl" #name));
   PLUMB_GL_FUNCTIONS(PLUMB_GL_LOAD)
 #undef PLUMB_GL_LOAD
 
+  info_.backend = backend_->description();
   info_.renderer = reinterpret_cast<const char*>(gl_->GetString(GL_RENDERER));
   info_.version = reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
   GLint texture = 0;
@@ -97,13 +72,11 @@ GlContext::GlContext() : window_(std::size_t{4} * window_size * window_size) {
 GlContext::~GlContext() = default;
 
 bool GlContext::try_current() const noexcept {
-  const auto context = static_cast<OSMesaContext>(context_.get());
-  return OSMesaGetCurrentContext() == context ||
-         OSMesaMakeCurrent(context, window_.data(), GL_UNSIGNED_BYTE, window_size, window_size) == GL_TRUE;
+  return backend_->try_current();
 }
 
 const GlContext& GlContext::make_current() const {
-  if (!try_current()) throw OutputError("OpenGL: OSMesa cannot make its context current");
+  if (!try_current()) throw OutputError("OpenGL: the context cannot be made current");
   return *this;
 }
 

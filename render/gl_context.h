@@ -2,7 +2,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
+
+#include "render/gl_backend.h"
 
 namespace plumb {
 
@@ -10,18 +11,23 @@ struct Gl;
 
 /// What the renderer runs on.
 struct GlInfo {
+  std::string backend;   ///< "OSMesa", "EGL 1.5, device 0 of 1 (software)"
   std::string renderer;  ///< GL_RENDERER: "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version;   ///< GL_VERSION: "4.5 (Core Profile) Mesa 22.3.6"
   int max_size = 0;      ///< greatest width or height of a picture after supersampling, pixels
   int max_samples = 0;   ///< samples a pixel of a multisampled texture
+
+  /// Pictures drawn with the same fingerprint on the same machine are the same to the byte: backend, renderer
+  /// and version.
+  std::string fingerprint() const { return backend + "; " + renderer + "; OpenGL " + version; }
 };
 
-/// An OpenGL core profile, 3.3 or above, without a display or a window (OSMesa). It belongs to the thread
-/// that uses it: every class that draws makes it current first.
+/// An OpenGL core profile, 3.3 or above, without a display or a window. It belongs to the thread that uses
+/// it: every class that draws makes it current first.
 class GlContext {
  public:
   /// Throws OutputError when no context can be had, or when the environment would crash the driver.
-  GlContext();
+  explicit GlContext(const GlBackendChoice& choice = GlBackendChoice::from_environment());
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
@@ -41,14 +47,8 @@ class GlContext {
   void check_size(int width, int height, int supersampling) const;
 
  private:
-  struct Release {
-    void operator()(void* context) const;
-  };
-
-  std::unique_ptr<void, Release> context_;
+  std::unique_ptr<GlBackend> backend_;
   std::unique_ptr<Gl> gl_;
-  mutable std::vector<unsigned char>
-      window_;  // OSMesa wants a buffer of its own; everything is drawn to others
   GlInfo info_;
 };
 

@@ -23,6 +23,7 @@ Ground::Ground(const GlContext& context, const Stage& stage, const Camera& camer
                double length, double line_width)
     : context_(context.make_current()),
       stage_(stage),
+      camera_(camera),
       cable_radius_(cable_radius),
       shadow_reach_(1.15 * std::max(stage.reach, 0.05 * length) + 10 * cable_radius),
       grid_(context, ground_vert, ground_frag),
@@ -71,6 +72,7 @@ void Ground::cast_shadow(std::span<const CurvePoint> curve) {
   const Gl& gl = context_.gl();
   const double texel = 2 * shadow_reach_ / shadow_size;
   std::vector<float> pieces;
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const Eigen::Vector2d a = stage_.ground_coordinates(curve[i].position);
     const Eigen::Vector2d b = stage_.ground_coordinates(curve[i + 1].position);
@@ -82,7 +84,11 @@ void Ground::cast_shadow(std::span<const CurvePoint> curve) {
     for (const double value :
          {a.x(), a.y(), b.x(), b.y(), std::max(cable_radius_, texel), std::max(blur, texel), strength})
       pieces.push_back(static_cast<float>(value));
+    const double around = std::max(cable_radius_, texel) + 2 * std::max(blur, texel) + texel;
+    low = low.cwiseMin((a.cwiseMin(b).array() - around).matrix());
+    high = high.cwiseMax((a.cwiseMax(b).array() + around).matrix());
   }
+  shadowed_ = in_picture(low, high);
   gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.id());
   gl.Viewport(0, 0, shadow_size, shadow_size);
   gl.Disable(GL_SCISSOR_TEST);
@@ -96,13 +102,36 @@ void Ground::cast_shadow(std::span<const CurvePoint> curve) {
   gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, pieces_.count());
 }
 
-void Ground::draw_shadow() const {
+std::optional<Rect> Ground::in_picture(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+  Rect rect{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const double x : {low.x(), high.x()})
+    for (const double y : {low.y(), high.y()}) {
+      const Point p = camera_.pixel(stage_.origin + x * stage_.across + y * stage_.forward);
+      if (!p.allFinite()) return {};
+      rect.left = std::min(rect.left, p.x());
+      rect.right = std::max(rect.right, p.x());
+      rect.top = std::min(rect.top, p.y());
+      rect.bottom = std::max(rect.bottom, p.y());
+    }
+  return rect;
+}
+
+void Ground::draw_shadow(int picture_height) const {
   const Gl& gl = context_.gl();
+  if (shadowed_) {
+    // A box far outside the picture is more than OpenGL's whole numbers hold.
+    const auto whole = [](double pixel) { return static_cast<int>(std::clamp(pixel, -1e6, 1e6)); };
+    const int left = whole(std::floor(shadowed_->left)), right = whole(std::ceil(shadowed_->right));
+    const int top = whole(std::floor(shadowed_->top)), bottom = whole(std::ceil(shadowed_->bottom));
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(left, picture_height - bottom, right - left, bottom - top);
+  }
   gl.BindVertexArray(no_attributes_.id());
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, shadow_map_.id());
   shadow_.use();
   gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl.Disable(GL_SCISSOR_TEST);
 }
 
 }  // namespace plumb

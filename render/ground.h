@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "render/camera.h"
@@ -12,8 +13,8 @@ namespace plumb {
 /// The ground of a stage: grid lines that fade out, and the cable's soft shadow straight below it.
 class Ground {
  public:
-  /// `context` and `stage` must outlive it. `cable_radius` and `length` in m; `line_width` of the grid in
-  /// pixels of what the grid is drawn to.
+  /// `context`, `stage` and `camera` must outlive it. `cable_radius` and `length` in m; `line_width` of the
+  /// grid in pixels of what the grid is drawn to.
   Ground(const GlContext& context, const Stage& stage, const Camera& camera, double cable_radius,
          double length, double line_width);
 
@@ -21,12 +22,17 @@ class Ground {
   void draw_grid() const;
   /// Computes the shadow of a cable. Changes which framebuffer is in use.
   void cast_shadow(std::span<const CurvePoint> curve);
-  /// Draws the shadow cast last to the framebuffer in use.
-  void draw_shadow() const;
+  /// Draws the shadow cast last to the framebuffer in use, the picture's own, of this height in pixels.
+  void draw_shadow(int picture_height) const;
 
  private:
   const GlContext& context_;
+  // Where in the picture a shadow can be whose edges are within these ground coordinates; nothing where that
+  // cannot be told.
+  std::optional<Rect> in_picture(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
+
   const Stage& stage_;
+  const Camera& camera_;
   double cable_radius_;
   double shadow_reach_;  // half the side of the square that the shadow's map covers, m
   GlProgram grid_;
@@ -36,6 +42,7 @@ class Ground {
   GlVertexArray no_attributes_;
   GlTexture shadow_map_;
   GlFramebuffer shadow_framebuffer_;
+  std::optional<Rect> shadowed_;  // pixels
 };
 
 }  // namespace plumb

@@ -50,22 +50,27 @@ Eigen::VectorXd Motion::state(double time) const {
   return state_at(trajectory_, std::clamp(time, trajectory_.times.front(), trajectory_.times.back())).q;
 }
 
+CurvePoint Motion::point(const Eigen::VectorXd& state, double place) const {
+  const int e = std::clamp(static_cast<int>(place), 0, trajectory_.elements - 1);
+  const double x = place - e;
+  const auto node = [&](int k) -> Vec3 { return state.segment<3>(6 * e + 3 * k); };
+  const auto s = Hermite::values(x, trajectory_.element_length);
+  const auto d = Hermite::slopes(x, trajectory_.element_length);
+  Vec3 slope = d[0] * node(0) + d[1] * node(1) + d[2] * node(2) + d[3] * node(3);
+  // Where the slope has collapsed, the element's ends tell the direction.
+  if (!(slope.norm() > 1e-12)) slope = node(2) - node(0);
+  const double length = slope.norm();
+  return {s[0] * node(0) + s[1] * node(1) + s[2] * node(2) + s[3] * node(3),
+          length > 0 ? Vec3(slope / length) : Vec3(Vec3::UnitX())};
+}
+
 std::vector<CurvePoint> Motion::curve(const Eigen::VectorXd& state, int per_element) const {
   std::vector<CurvePoint> points;
   points.reserve(static_cast<std::size_t>(trajectory_.elements * per_element) + 1);
-  Vec3 direction = Vec3::UnitX();
-  for (int e = 0; e < trajectory_.elements; ++e) {
-    const auto node = [&](int k) -> Vec3 { return state.segment<3>(6 * e + 3 * k); };
-    const int last = e + 1 == trajectory_.elements ? per_element : per_element - 1;
-    for (int i = 0; i <= last; ++i) {
-      const double x = static_cast<double>(i) / per_element;
-      const auto s = Hermite::values(x, trajectory_.element_length);
-      const auto d = Hermite::slopes(x, trajectory_.element_length);
-      const Vec3 slope = d[0] * node(0) + d[1] * node(1) + d[2] * node(2) + d[3] * node(3);
-      if (slope.norm() > 1e-12) direction = slope.normalized();  // a collapsed slope keeps the last direction
-      points.push_back({s[0] * node(0) + s[1] * node(1) + s[2] * node(2) + s[3] * node(3), direction});
-    }
-  }
+  for (int e = 0; e < trajectory_.elements; ++e)
+    for (int i = 0; i < per_element; ++i)
+      points.push_back(point(state, e + static_cast<double>(i) / per_element));
+  points.push_back(point(state, trajectory_.elements));
   return points;
 }
 

@@ -34,6 +34,8 @@ class Motion {
 
   /// The cable in a state: `per_element` ≥ 1 pieces an element, each on the element's own cubic curve.
   std::vector<CurvePoint> curve(const Eigen::VectorXd& state, int per_element) const;
+  /// The cable at a place that counts elements from the first end, in [0, elements()].
+  CurvePoint point(const Eigen::VectorXd& state, double place) const;
   /// Its last end, m.
   Vec3 tip(const Eigen::VectorXd& state) const { return state.segment<3>(6 * trajectory_.elements); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,12 +13,26 @@ namespace plumb {
 /// Keywords (1 to 79 Latin-1 letters) and texts for a PNG's tEXt chunks: "Software", "Description", …
 using PngTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// The bytes of a PNG file, RGB, 8 bits a channel; the same for the same picture and texts.
+/// The keyword of the text that says what drew a picture: GlInfo::fingerprint().
+inline constexpr const char* renderer_keyword = "Renderer";
+
+/// What encoding is to save.
+enum class PngEffort {
+  small,  ///< bytes: for figures and what is put into a page
+  quick,  ///< time: for frames, some 15 % larger in half the time
+};
+
+/// The bytes of a PNG file, RGB, 8 bits a channel; the same for the same picture, texts and effort.
 /// Throws OutputError when the picture is empty or libpng refuses it.
-std::string encode_png(const Image& image, const PngTexts& texts = {});
+std::string encode_png(const Image& image, const PngTexts& texts = {}, PngEffort effort = PngEffort::small);
 
 /// The picture in the bytes of a PNG file of any kind, on white where it is transparent; of an animated one,
 /// its first frame. Throws InputError that names `name` on bad data or more than 16384 pixels a side.
 Image decode_png(std::string_view bytes, const std::string& name);
+
+/// The text of a keyword in the bytes of a PNG file; nothing where it has none. Throws InputError that names
+/// `name` on bad data.
+std::optional<std::string> text_in_png(std::string_view bytes, const std::string& keyword,
+                                       const std::string& name);
 
 }  // namespace plumb

@@ -15,6 +15,7 @@
 #include "render/stage.h"
 #include "render/trail.h"
 #include "render/tube.h"
+#include "render/visible_curve.h"
 
 namespace plumb {
 
@@ -26,11 +27,12 @@ constexpr Color trail_color = Color::hex(0xD55E00);
 constexpr Color ink = Color::hex(0x2B3038);
 constexpr Color quiet_ink = Color::hex(0x5A626E);
 
-constexpr double trail_frames = 32;     // how many frames ago the trail has faded out
-constexpr int trail_pieces = 8;         // of the trail, a frame
-constexpr double thinnest = 1.0 / 150;  // radius as drawn, in cable lengths
-constexpr double support_reach = 5;     // of a support around the cable's end, in its radii
-constexpr double end_tolerance = 1e-6;  // of a frame: the last output may be short of it by rounding
+constexpr double curve_tolerance = 0.25;  // of the drawn centre line, pixels
+constexpr double trail_frames = 32;       // how many frames ago the trail has faded out
+constexpr int trail_pieces = 8;           // of the trail, a frame
+constexpr double thinnest = 1.0 / 150;    // radius as drawn, in cable lengths
+constexpr double support_reach = 5;       // of a support around the cable's end, in its radii
+constexpr double end_tolerance = 1e-6;    // of a frame: the last output may be short of it by rounding
 
 constexpr std::array<int, 2> mesh_components = {3, 3};
 constexpr std::array<int, 2> trail_components = {4, 1};
@@ -70,16 +72,14 @@ class SceneRenderer::Drawing {
         camera_(stage_.camera, canvas_.width(), canvas_.height(), stage_.center, stage_.radius),
         painter_(context),
         background_(context, fullscreen_vert, background_frag),
-        ground_(context, stage_, camera_, radius_, input.length, input.spec.supersampling),
-        copy_(context, fullscreen_vert, copy_frag),
+        ground_(context, stage_, camera_, radius_, input.length, canvas_.layer_scale()),
         tube_(context, tube_vert, tube_frag),
         trail_(context, trail_vert, trail_frag),
         mesh_(context, mesh_components),
         support_mesh_(context, mesh_components),
         trail_ribbon_(context, trail_components),
-        no_attributes_(context),
-        backdrop_(context) {
-    choose_detail();
+        no_attributes_(context) {
+    choose_sides();
     make_trail();
     set_constants();
     make_backdrop();
@@ -92,10 +92,11 @@ class SceneRenderer::Drawing {
   Image draw(double time) {
     context_.make_current();
     const Eigen::VectorXd state = motion_.state(time);
-    const std::vector<CurvePoint> curve = motion_.curve(state, pieces_per_element_);
+    const std::vector<CurvePoint> curve = visible_curve(motion_, state, camera_, curve_tolerance);
     const std::vector<Vec3> trail = trail_places(time);
     ground_.cast_shadow(curve);
-    draw_backdrop();
+    canvas_.restore();
+    ground_.draw_shadow(canvas_.height());
     canvas_.begin_geometry(region(curve, trail));
     draw_cable(curve);
     draw_supports(curve);
@@ -106,19 +107,18 @@ class SceneRenderer::Drawing {
   }
 
  private:
-  // As many pieces and sides as it takes for none to show: a polygon around a circle of r pixels is inside it
-  // by r (1 - cos(π/n)), which is kept to a twelfth of a pixel.
-  void choose_detail() {
+  // As many sides as it takes for none to show: a polygon around a circle of r pixels is inside it by
+  // r (1 - cos(π/n)), which is kept to a twelfth of a pixel.
+  void choose_sides() {
     double pixels = 0;
-    double along = 0;
-    for (const CurvePoint& point : motion_.curve(motion_.output(0), 4)) {
-      pixels = std::max(pixels, radius_ * camera_.pixels_per_metre(point.position));
-      along = std::max(along, input_.length * camera_.pixels_per_metre(point.position));
-    }
+    for (std::size_t i = 0; i < motion_.output_count();
+         i += std::max<std::size_t>(1, motion_.output_count() / 64))
+      for (const CurvePoint& point : visible_curve(motion_, motion_.output(i), camera_, 1)) {
+        const double seen = radius_ * camera_.pixels_per_metre(point.position);
+        if (std::isfinite(seen)) pixels = std::max(pixels, seen);
+      }
     const double sides = std::numbers::pi / std::sqrt(2 * 0.08 / std::max(pixels, 1.0));
     sides_ = static_cast<int>(std::clamp(std::ceil(sides / 4) * 4, 12.0, 64.0));
-    const double pieces = std::clamp(along / 4, 96.0, 2000.0);
-    pieces_per_element_ = std::max(4, static_cast<int>(std::ceil(pieces / motion_.elements())));
   }
 
   // The tip's way through the whole run, so that a frame only takes its stretch of it.
@@ -135,7 +135,7 @@ class SceneRenderer::Drawing {
       program.set(name, static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()));
     };
     background_.use();
-    background_.set("height", static_cast<float>(canvas_.height() * canvas_.supersampling()));
+    background_.set("height", static_cast<float>(canvas_.height() * canvas_.layer_scale()));
     tube_.use();
     tube_.set_matrix("view", matrix.data());
     set3(tube_, "eye", camera_.eye());
@@ -156,18 +156,7 @@ class SceneRenderer::Drawing {
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     ground_.draw_grid();
     canvas_.resolve();
-    canvas_.copy_to(backdrop_);
-  }
-
-  void draw_backdrop() {
-    const Gl& gl = context_.gl();
-    canvas_.bind_flat();
-    gl.BindVertexArray(no_attributes_.id());
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D, backdrop_.id());
-    copy_.use();
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    ground_.draw_shadow();
+    canvas_.keep();
   }
 
   // Where cable, supports and trail are in the picture; all of it when some of them is behind the camera.
@@ -286,16 +275,13 @@ class SceneRenderer::Drawing {
   Painter painter_;
   GlProgram background_;
   Ground ground_;
-  GlProgram copy_;
   GlProgram tube_;
   GlProgram trail_;
   VertexBuffer mesh_;
   VertexBuffer support_mesh_;
   VertexBuffer trail_ribbon_;
   GlVertexArray no_attributes_;
-  GlTexture backdrop_;
   int sides_ = 0;
-  int pieces_per_element_ = 0;
   double trail_interval_ = 0;  // s
   std::vector<Vec3> tip_path_;
 };

@@ -19,13 +19,14 @@ std::vector<Vec3> places_of(const Motion& motion) {
   // Outputs beyond some hundreds hardly add to the space that the motion fills.
   constexpr std::size_t enough = 500;
   const std::size_t stride = std::max<std::size_t>(1, motion.output_count() / enough);
-  const int per_element = std::max(1, 48 / motion.elements());
+  constexpr int along = 48;
   std::vector<Vec3> places;
-  for (std::size_t i = 0; i < motion.output_count(); i += stride)
-    for (const CurvePoint& point : motion.curve(motion.output(i), per_element))
-      places.push_back(point.position);
-  for (const CurvePoint& point : motion.curve(motion.output(motion.output_count() - 1), per_element))
-    places.push_back(point.position);
+  const auto add = [&](const Eigen::VectorXd& state) {
+    for (int k = 0; k <= along; ++k)
+      places.push_back(motion.point(state, static_cast<double>(motion.elements()) * k / along).position);
+  };
+  for (std::size_t i = 0; i < motion.output_count(); i += stride) add(motion.output(i));
+  add(motion.output(motion.output_count() - 1));
   return places;
 }
 

@@ -3,38 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
-#include <future>
 
+#include "engine/errors.h"
 #include "engine/interrupt.h"
 #include "engine/output/file_writing.h"
 #include "render/apng.h"
+#include "render/frame_stream.h"
 #include "render/gl_context.h"
 #include "render/plot_renderer.h"
 #include "render/png.h"
 #include "render/scene.h"
+#include "report/figure_csv.h"
 
 namespace plumb {
 namespace {
-
-/// Draws every frame and hands its PNG to `take`, in order. One frame is encoded while the next is drawn.
-void draw_frames(SceneRenderer& scene, const PngTexts& texts,
-                 const std::function<void(int, std::string)>& take) {
-  constexpr std::size_t waiting = 2;
-  std::deque<std::pair<int, std::future<std::string>>> encoding;
-  const auto take_first = [&] {
-    take(encoding.front().first, encoding.front().second.get());
-    encoding.pop_front();
-  };
-  for (int k = 0; k < scene.frame_count(); ++k) {
-    stop_if_interrupted();
-    encoding.emplace_back(k, std::async(std::launch::async, [image = scene.frame(k), &texts] {
-                            return encode_png(image, texts);
-                          }));
-    if (encoding.size() > waiting) take_first();
-  }
-  while (!encoding.empty()) take_first();
-}
 
 /// The scene as the page shows it: at most this wide and this often, so that one file holds the whole report.
 constexpr int page_width = 640;
@@ -51,6 +33,19 @@ SceneSpec page_scene(SceneSpec spec) {
 
 }  // namespace
 
+FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked) {
+  const int last = scene.frame_count() - 1;
+  if (!asked) return {0, last};
+  if (asked->first > last)
+    throw UsageError(
+        fmt::format("--frames: there is no frame {}; the run has frames 0 to {}", asked->first, last));
+  return {asked->first, std::min(asked->last, last)};
+}
+
+PngTexts picture_texts(const GlContext& context, const std::string& title) {
+  return {{"Software", "Plumb"}, {"Title", title}, {renderer_keyword, context.info().fingerprint()}};
+}
+
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
                                   const PngTexts& texts, OutputFolder& folder) {
   std::vector<Picture> pictures;
@@ -60,29 +55,32 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
     Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
                     figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
     write_file(folder.file(picture.file), picture.png);
+    write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), to_csv(figure.plot));
     pictures.push_back(std::move(picture));
   }
   return pictures;
 }
 
-Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFolder& folder, Stages& stages,
-              const DrawingProgress& progress) {
+Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
+              OutputFolder& folder, Stages& stages, const DrawingProgress& progress) {
   Pictures result;
-  const PngTexts texts{{"Software", "Plumb"}, {"Title", run.loaded.source.file.name}};
   stages.begin("figures");
   const GlContext context;
+  const PngTexts texts = picture_texts(context, run.loaded.source.file.name);
   result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
   stages.begin("frames");
   SceneInput input = scene_input(run.loaded.spec);
   SceneRenderer scene(context, run.trajectory, input);
   std::vector<std::string> frames;
-  draw_frames(scene, texts, [&](int k, std::string png) {
+  const FrameRange asked = range_within(scene, range);
+  stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
     write_file(folder.file(fmt::format("frames/{:04}.png", k)), png);
     frames.push_back(std::move(png));
-    if (progress) progress(static_cast<double>(k + 1) / scene.frame_count());
+    if (progress) progress(static_cast<double>(k + 1 - asked.first) / asked.count());
   });
-  result.frames = scene.frame_count();
+  result.first_frame = asked.first;
+  result.frames = asked.count();
   result.frame_rate = input.spec.frame_rate;
 
   stages.begin("animation");
@@ -90,11 +88,13 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFold
   frames.clear();
   input.spec = page_scene(input.spec);
   SceneRenderer small(context, run.trajectory, input);
-  draw_frames(small, texts, [&](int, std::string png) { frames.push_back(std::move(png)); });
+  stream_frames(small, range_within(small, {}), texts, PngEffort::small,
+                [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_still = frames.back();
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];
+  result.renderer = context.info().fingerprint();
   stages.end();
   return result;
 }

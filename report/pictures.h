@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/output/output_folder.h"
+#include "render/frame_stream.h"
 #include "render/gl_context.h"
 #include "render/png.h"
 #include "report/figures.h"
@@ -25,25 +27,34 @@ struct Picture {
 struct Pictures {
   std::vector<Picture> figures;
   std::vector<Picture> study;  ///< figures of a study of the same case, if there is one
+  int first_frame = 0;
   int frames = 0;
   double frame_rate = 0;          ///< 1/s
   int page_animation_width = 0;   ///< pixels
   int page_animation_height = 0;  ///< pixels
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
+  std::string renderer;           ///< GlInfo::fingerprint() of what drew them
 };
 
-/// Draws figures into a folder: figures/*.png. Throws OutputError when drawing or writing fails, Interrupted
-/// when the user stops it.
+/// What every picture file says of itself: program, title, and what drew it.
+PngTexts picture_texts(const GlContext& context, const std::string& title);
+
+/// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
+/// when drawing or writing fails, Interrupted when the user stops it.
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
                                   const PngTexts& texts, OutputFolder& folder);
 
 /// Called now and then with the share done, 0 to 1.
 using DrawingProgress = std::function<void(double)>;
 
+/// The frames of a scene that were asked for, as far as there are such; all without a range. Throws
+/// UsageError where there is none of them.
+FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked);
+
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
 /// animation.png. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
-Pictures draw(const Run& run, const std::vector<SeriesError>& errors, OutputFolder& folder, Stages& stages,
-              const DrawingProgress& progress = {});
+Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
+              OutputFolder& folder, Stages& stages, const DrawingProgress& progress = {});
 
 }  // namespace plumb

@@ -7,7 +7,7 @@ namespace plumb {
 
 std::vector<Picture> draw_study(const WorkPrecision& study, OutputFolder& folder) {
   const GlContext context;
-  return draw_figures(study_figures(study), context, {{"Software", "Plumb"}, {"Title", study.title}}, folder);
+  return draw_figures(study_figures(study), context, picture_texts(context, study.title), folder);
 }
 
 }  // namespace plumb

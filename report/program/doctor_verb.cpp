@@ -35,9 +35,18 @@ ExitStatus doctor_verb(const Options& options, Talk& talk) {
   const GlInfo& gl = context.info();
   const Provenance provenance = provenance_now();
   talk.line("Renderer");
-  talk.line(fmt::format("  {}, OpenGL {}", gl.renderer, gl.version));
+  talk.line(fmt::format("  {}: {}, OpenGL {}", gl.backend, gl.renderer, gl.version));
   talk.line(fmt::format("  pictures up to {} pixels a side after supersampling, {} samples a pixel",
                         gl.max_size, gl.max_samples));
+  const std::vector<EglDevice> devices = egl_devices();
+  talk.line(
+      fmt::format("  PLUMB_GL=osmesa: {}", osmesa_is_there() ? "there" : "its library cannot be opened"));
+  for (std::size_t k = 0; k < devices.size(); ++k)
+    talk.line(
+        fmt::format("  PLUMB_GL=egl:{}: {}", k, devices[k].software ? "draws in software" : "a device"));
+  if (devices.empty())
+    talk.line(fmt::format("  PLUMB_GL=egl: {}",
+                          egl_is_there() ? "knows no device" : "its library cannot be opened"));
   talk.line("Program");
   for (const auto& [name, value] : provenance) talk.line(fmt::format("  {:<22}{}", name, value));
   talk.line("Methods: order, kind, what they conserve, when to use them, and the keys of [method] they take");
@@ -48,7 +57,8 @@ ExitStatus doctor_verb(const Options& options, Talk& talk) {
     talk.line(talk.faint(fmt::format("  {:<33}{}", "", keys_of(method))));
   }
   if (options.json) {
-    Json json{{"renderer", gl.renderer},
+    Json json{{"backend", gl.backend},
+              {"renderer", gl.renderer},
               {"opengl", gl.version},
               {"max_size", gl.max_size},
               {"max_samples", gl.max_samples}};

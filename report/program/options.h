@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,20 @@ enum class ExitStatus {
 /// What the command line said, for all verbs.
 struct Options {
   std::string input;                   ///< case file or run
+  std::string other;                   ///< second file or folder of diff
   std::string kind;                    ///< of study; empty: not given
   std::vector<std::string> overrides;  ///< of --set
   std::string output;                  ///< of -o; empty: not given
   std::string csv;                     ///< of --csv; empty: not given
+  std::string frames;                  ///< of --frames; empty: not given
+  std::string size;                    ///< of --size
+  std::string camera;                  ///< of --camera
+  std::string video;                   ///< of --video
+  std::string html;                    ///< of --html; empty: not given
+  std::optional<int> channel;          ///< of --channel
+  std::optional<double> density;       ///< of --density
+  std::optional<double> numbers;       ///< of --numbers
+  bool accept = false;                 ///< --accept
   bool json = false;
   bool quiet = false;
 };

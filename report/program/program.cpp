@@ -36,6 +36,41 @@ void refuse_unknown_verb(int count, const char* const* arguments) {
     throw UsageError(fmt::format("'{}' is no verb{}", word, suggestion(word, names)));
 }
 
+void add_drawing(CLI::App& command, Options& options) {
+  command.add_option("--frames", options.frames, "frame numbers from 0: 10:20 (both drawn), 10: or 10")
+      ->type_name("A:B");
+  command.add_option("--size", options.size, "pixels, instead of scene.size: 3840x2160")->type_name("WxH");
+  command.add_option("--camera", options.camera, "instead of scene.camera, as the case file has it: top")
+      ->type_name("NAME");
+  command
+      .add_option("--video", options.video, "write the frames to FILE.mp4 or FILE.webm as well, with ffmpeg")
+      ->type_name("FILE");
+}
+
+void add_comparison(CLI::App& command, Options& options) {
+  command.add_option("B", options.other, "what is held against it")->required()->type_name("");
+  command
+      .add_option(
+          "--channel", options.channel,
+          "levels by which a channel of a pixel may differ; default 8, but 0 for pictures of the same "
+          "renderer unless this or --density is given")
+      ->type_name("N")
+      ->check(CLI::Range(0, 255));
+  command
+      .add_option("--density", options.density,
+                  "share of the pixels in any window of 16 x 16 that may differ by more; default 0.01, or 0")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      .add_option("--numbers", options.numbers,
+                  "difference of numbers, relative to the largest of their column; default 1e-9")
+      ->type_name("SHARE")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--html", options.html, "write a page with the pictures that differ to FILE")
+      ->type_name("FILE");
+  command.add_flag("--accept", options.accept, "make B the baseline: put it in the place of A");
+}
+
 void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand(verb.name, verb.summary);
   command->footer(exit_statuses);
@@ -64,6 +99,9 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->add_option("-o,--output", options.output,
                      verb.input == "CASE"
                          ? "output folder; default: output/ and the name of the case file (and of the study)"
+                     : verb.draws
+                         ? "output folder, or - for the frames alone, as PNG files one after another "
+                           "on standard output; default: that of the run"
                          : "output folder; default: that of the run")
         ->type_name("DIR");
   if (verb.takes_csv)
@@ -71,6 +109,8 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->add_option("--csv", options.csv,
                      "write the probes to FILE (- for standard output); then a folder only with -o")
         ->type_name("FILE");
+  if (verb.draws) add_drawing(*command, options);
+  if (verb.compares) add_comparison(*command, options);
   command->add_flag("--json", options.json, "the result as JSON on standard output, talk on standard error");
   command->add_flag("--quiet", options.quiet, "say nothing but errors");
 }
@@ -96,7 +136,7 @@ int parse_and_act(int count, const char* const* arguments) {
   }
   if (options.json && options.csv == "-")
     throw UsageError("--json and --csv - cannot both have standard output");
-  Talk talk(options.json || options.csv == "-", options.quiet);
+  Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
   const std::string chosen = app.get_subcommands().front()->get_name();
   for (const Verb& verb : verbs())
     if (verb.name == chosen) return static_cast<int>(verb.act(options, talk));

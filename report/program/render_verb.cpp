@@ -1,25 +1,66 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "engine/errors.h"
+#include "engine/input/file_text.h"
+#include "engine/output/file_writing.h"
+#include "report/program/drawing_options.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
+#include "report/program/video.h"
 #include "report/program/work.h"
 
 namespace plumb {
+namespace {
+
+/// Frames as PNG files one after another on standard output, for an encoder.
+ExitStatus stream_to_standard_output(const Run& run, const Options& options, Talk& talk) {
+  const GlContext context;
+  SceneRenderer scene(context, run.trajectory, scene_input(run.loaded.spec));
+  const FrameRange range = range_within(scene, asked_frames(options));
+  stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
+                [&](int k, const std::string& png) {
+                  write_to_standard_output(png);
+                  talk.progress("drawing", static_cast<double>(k + 1 - range.first) / range.count());
+                });
+  talk.end_progress();
+  talk.line(counted(range.count(), "frame", "frames") + " on standard output");
+  return ExitStatus::done;
+}
+
+}  // namespace
 
 ExitStatus render_verb(const Options& options, Talk& talk) {
+  const bool to_standard_output = options.output == "-";
+  if (to_standard_output && (options.json || !options.video.empty()))
+    throw UsageError("-o - has standard output for the frames: neither --json nor --video goes with it");
   Stages stages;
   stages.begin("reading");
-  const Run run = find_run(options.input);
+  const std::optional<FrameRange> frames = asked_frames(options);
+  Run run = find_run(options.input);
+  run.loaded = with_asked_scene(run.loaded, options);
+  if (to_standard_output) return stream_to_standard_output(run, options, talk);
   OutputFolder folder(output_path_of_run(options));
+  std::unique_ptr<Video> video;
+  if (!options.video.empty())
+    video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
   write_run(run, folder);
   for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5"})
     folder.keep(report_file);
-  const Pictures pictures = draw_pictures(run, folder, stages, talk);
+  const Pictures pictures = draw_pictures(run, frames, folder, stages, talk);
+  if (video) {
+    stages.begin("video");
+    for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
+      video->add(read_file_text(folder.file(fmt::format("frames/{:04}.png", k))).text);
+    video->finish();
+    stages.end();
+  }
   folder.commit();
   talk.line(fmt::format("{} and {}: {}", counted(std::ssize(pictures.figures), "figure", "figures"),
                         counted(pictures.frames, "frame", "frames"), folder.path()));
+  if (video) talk.line("video: " + options.video);
   say_stages(stages, talk);
   if (options.json) {
     nlohmann::ordered_json json{

@@ -12,12 +12,14 @@ namespace plumb {
 struct Verb {
   std::string name;
   std::string summary;
-  std::string input;  ///< what its argument is called in the help: "CASE", "RUN"; empty: takes none
+  ExitStatus (*act)(const Options& options, Talk& talk) = nullptr;
+  std::string input = {};  ///< what its argument is called in the help: "CASE", "RUN"; empty: takes none
   bool takes_overrides = false;
   bool takes_output = false;
   bool takes_csv = false;
   bool takes_kind = false;  ///< of study
-  ExitStatus (*act)(const Options& options, Talk& talk) = nullptr;
+  bool draws = false;       ///< takes what to draw
+  bool compares = false;    ///< takes a second path and how to compare
 };
 
 std::span<const Verb> verbs();
@@ -28,6 +30,7 @@ ExitStatus render_verb(const Options& options, Talk& talk);
 ExitStatus report_verb(const Options& options, Talk& talk);
 ExitStatus study_verb(const Options& options, Talk& talk);
 ExitStatus check_verb(const Options& options, Talk& talk);
+ExitStatus diff_verb(const Options& options, Talk& talk);
 ExitStatus doctor_verb(const Options& options, Talk& talk);
 
 /// Reads the arguments, acts, and turns every error into one line on standard error and its exit status.

@@ -90,6 +90,15 @@ TEST(Apng, ShowsItsFirstFrameWhereAnimationIsUnknown) {
   EXPECT_EQ(decode_png(join_apng(frames(3), 25), "animation"), flat(20, 10, 0));
 }
 
+TEST(Apng, SplitsIntoTheFramesItWasJoinedOf) {
+  const std::vector<std::string> pngs = frames(5);
+  const std::vector<std::string> again = split_apng(join_apng(pngs, 25), "animation");
+  ASSERT_EQ(again.size(), pngs.size());
+  for (std::size_t i = 0; i < pngs.size(); ++i)
+    EXPECT_EQ(decode_png(again[i], "frame"), decode_png(pngs[i], "frame")) << "frame " << i;
+  EXPECT_EQ(split_apng(pngs[0], "still"), std::vector{pngs[0]});
+}
+
 TEST(Apng, FramesOfDifferentSizeAreRefused) {
   EXPECT_THROW(join_apng(std::vector{encode_png(flat(20, 10, 0)), encode_png(flat(10, 20, 0))}, 25),
                OutputError);

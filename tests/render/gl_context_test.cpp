@@ -21,6 +21,27 @@ TEST(GlContext, TellsWhatItRunsOn) {
   EXPECT_GE(context.info().max_samples, 4);
 }
 
+TEST(GlContext, TakesTheBackendThatTheEnvironmentNames) {
+  for (const char* wrong : {"glx", "egl:", "egl:x", "egl:-1", "egl:99999", "OSMesa"}) {
+    setenv("PLUMB_GL", wrong, 1);
+    EXPECT_THROW(GlBackendChoice::from_environment(), OutputError) << wrong;
+  }
+  setenv("PLUMB_GL", "egl:12", 1);
+  const GlBackendChoice choice = GlBackendChoice::from_environment();
+  EXPECT_EQ(choice.kind, GlBackendKind::egl);
+  EXPECT_EQ(choice.device, 12);
+  setenv("PLUMB_GL", "osmesa", 1);
+  EXPECT_EQ(GlBackendChoice::from_environment().kind, GlBackendKind::osmesa);
+  unsetenv("PLUMB_GL");
+  EXPECT_EQ(GlBackendChoice::from_environment().kind == GlBackendKind::osmesa,
+            osmesa_is_there() || !egl_is_there());
+}
+
+TEST(GlContext, RefusesADeviceThatIsNotThere) {
+  if (!egl_is_there()) GTEST_SKIP() << "libEGL cannot be opened";
+  EXPECT_THROW(GlContext({GlBackendKind::egl, 900}), OutputError);
+}
+
 TEST(GlContext, RefusesTheVectorWidthThatCrashesTheDriver) {
   setenv("LP_NATIVE_VECTOR_WIDTH", "512", 1);
   EXPECT_THROW(GlContext(), OutputError);

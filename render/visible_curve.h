@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "render/camera.h"
+#include "render/motion.h"
+
+namespace plumb {
+
+/// The cable in a state by as few of its points as the picture needs: nowhere is the curve further than
+/// `tolerance` pixels from the chords between them. Both ends are among them.
+std::vector<CurvePoint> visible_curve(const Motion& motion, const Eigen::VectorXd& state,
+                                      const Camera& camera, double tolerance);
+
+}  // namespace plumb

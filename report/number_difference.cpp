@@ -1,0 +1,89 @@
+#include "report/number_difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "engine/input/csv.h"
+
+namespace plumb {
+namespace {
+
+std::optional<double> number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return value;
+}
+
+/// The texts of a row, which tell what its numbers belong to.
+std::string kind_of(const CsvLine& line) {
+  std::string kind;
+  for (const CsvCell& cell : line.cells)
+    if (!number(cell.text)) kind += cell.text + '\n';
+  return kind;
+}
+
+using Scales = std::map<std::pair<std::string, std::size_t>, double>;
+
+void add_scales(const std::vector<CsvLine>& lines, Scales& scales) {
+  for (const CsvLine& line : lines)
+    for (std::size_t c = 0; c < line.cells.size(); ++c)
+      if (const auto value = number(line.cells[c].text); value && std::isfinite(*value)) {
+        double& scale = scales[{kind_of(line), c}];
+        scale = std::max(scale, std::abs(*value));
+      }
+}
+
+bool alike(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+}  // namespace
+
+NumberDifference number_difference(const std::string& a, const std::string& name_a, const std::string& b,
+                                   const std::string& name_b) {
+  const std::vector<CsvLine> first = parse_csv(a, name_a), second = parse_csv(b, name_b);
+  NumberDifference result;
+  if (first.size() != second.size()) {
+    result.unlike = fmt::format("{} and {} rows", first.size(), second.size());
+    return result;
+  }
+  Scales scales;
+  add_scales(first, scales);
+  add_scales(second, scales);
+  for (std::size_t row = 0; row < first.size(); ++row) {
+    const auto& cells = first[row].cells;
+    const auto& others = second[row].cells;
+    if (cells.size() != others.size()) {
+      result.unlike =
+          fmt::format("line {}: {} and {} cells", second[row].number, cells.size(), others.size());
+      return result;
+    }
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (cells[c].text == others[c].text) continue;
+      const auto x = number(cells[c].text), y = number(others[c].text);
+      if (!x || !y) {
+        result.unlike =
+            fmt::format("line {}: '{}' and '{}'", second[row].number, cells[c].text, others[c].text);
+        return result;
+      }
+      if (alike(*x, *y)) continue;
+      const double scale = scales[{kind_of(first[row]), c}];
+      const double relative = std::abs(*x - *y) / scale;
+      if (relative <= result.greatest) continue;
+      result.greatest = std::isfinite(relative) ? relative : HUGE_VAL;
+      const std::string& column =
+          c < first.front().cells.size() ? first.front().cells[c].text : cells[c].text;
+      result.where =
+          fmt::format("line {}, {}: {} and {}", second[row].number, column, cells[c].text, others[c].text);
+    }
+  }
+  return result;
+}
+
+}  // namespace plumb

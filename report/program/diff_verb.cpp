@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/errors.h"
+#include "engine/input/file_text.h"
+#include "engine/input/place.h"
+#include "engine/output/file_writing.h"
+#include "engine/output/output_folder.h"
+#include "report/difference_page.h"
+#include "report/program/print_json.h"
+#include "report/program/verbs.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+  const FileText text = read_file_text(path.string());
+  if (!text.failure.empty())
+    throw InputError(one_line(fmt::format("{}: cannot be read: {}", path.string(), text.failure)));
+  return text.text;
+}
+
+/// Puts B in the place of A; B stays.
+void accept(const fs::path& a, const fs::path& b) {
+  if (!fs::is_directory(b)) {
+    write_file(a.string(), bytes_of(b));
+    return;
+  }
+  OutputFolder folder(a.string());
+  for (const auto& entry : fs::recursive_directory_iterator(b))
+    if (entry.is_regular_file())
+      write_file(folder.file(entry.path().lexically_relative(b).generic_string()), bytes_of(entry.path()));
+  folder.commit();
+}
+
+nlohmann::ordered_json to_json(const std::vector<FileDifference>& files, bool accepted) {
+  nlohmann::ordered_json json{
+      {"different",
+       std::any_of(files.begin(), files.end(), [](const FileDifference& f) { return fails(f.sameness); })},
+      {"accepted", accepted},
+      {"files", nlohmann::ordered_json::array()}};
+  for (const FileDifference& file : files)
+    json["files"].push_back({{"name", file.name},
+                             {"result", word(file.sameness)},
+                             {"number", file.number},
+                             {"in_words", file.in_words}});
+  return json;
+}
+
+}  // namespace
+
+ExitStatus diff_verb(const Options& options, Talk& talk) {
+  DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers};
+  if (options.numbers) how.numbers = *options.numbers;
+  std::error_code ignored;
+  const bool first_there = fs::exists(options.input, ignored) || !options.accept;
+  std::vector<FileDifference> files;
+  if (first_there) files = compare_paths(options.input, options.other, how);
+
+  const bool different = std::any_of(files.begin(), files.end(),
+                                     [](const FileDifference& file) { return fails(file.sameness); });
+  for (const FileDifference& file : files) {
+    if (file.sameness == Sameness::identical || file.sameness == Sameness::not_compared) continue;
+    const std::string result = fmt::format("{:<17}", word(file.sameness));
+    talk.line(fmt::format("  {}{}: {}", fails(file.sameness) ? talk.bad(result) : result, file.name,
+                          file.in_words));
+  }
+  if (first_there) talk.line(headline(files));
+  if (!options.html.empty()) {
+    write_file(options.html, to_difference_page(options.input, options.other, files));
+    talk.line("page: " + options.html);
+  }
+  const bool accepts = options.accept && (different || !first_there);
+  if (accepts) {
+    accept(options.input, options.other);
+    talk.line(fmt::format("accepted: {} is now what {} is", options.input, options.other));
+  } else if (options.accept) {
+    talk.line("nothing to accept");
+  }
+  if (options.json) print_json(to_json(files, accepts));
+  return different && !accepts ? ExitStatus::criterion_not_met : ExitStatus::done;
+}
+
+}  // namespace plumb

@@ -1,0 +1,52 @@
+#include "report/program/drawing_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+#include "engine/errors.h"
+
+namespace plumb {
+namespace {
+
+std::optional<int> whole(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0) return {};
+  return value;
+}
+
+}  // namespace
+
+std::optional<FrameRange> asked_frames(const Options& options) {
+  const std::string& text = options.frames;
+  if (text.empty()) return {};
+  const std::size_t colon = text.find(':');
+  const auto first = whole(std::string_view(text).substr(0, colon));
+  std::optional<int> last = first;
+  if (colon != std::string::npos)
+    last = colon + 1 == text.size() ? std::numeric_limits<int>::max() - 1 : whole(text.substr(colon + 1));
+  if (!first || !last || *last < *first)
+    throw UsageError(fmt::format(
+        "--frames {}: must be two frame numbers from 0, the lower first, as 10:20, or 10: or 10", text));
+  return FrameRange{*first, *last};
+}
+
+LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
+  if (options.size.empty() && options.camera.empty()) return loaded;
+  CaseSource source = loaded.source;
+  if (!options.size.empty()) {
+    const std::size_t times = options.size.find('x');
+    const auto width = whole(std::string_view(options.size).substr(0, times));
+    const auto height = times == std::string::npos ? std::nullopt : whole(options.size.substr(times + 1));
+    if (!width || !height)
+      throw UsageError(
+          fmt::format("--size {}: must be width and height in pixels, as 3840x2160", options.size));
+    source.overrides.push_back(fmt::format("scene.size=[{},{}]", *width, *height));
+  }
+  if (!options.camera.empty()) source.overrides.push_back("scene.camera=" + options.camera);
+  return load_case(source);
+}
+
+}  // namespace plumb

@@ -1,0 +1,107 @@
+#include "render/image_difference.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "render/gl_context.h"
+#include "render/painter.h"
+
+namespace plumb {
+namespace {
+
+Image plain(int width, int height, std::uint8_t level = 255) {
+  return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), level)};
+}
+
+void set(Image& image, int x, int y, std::uint8_t level) {
+  for (int c = 0; c < 3; ++c) image.rgb[static_cast<std::size_t>(3 * (y * image.width + x) + c)] = level;
+}
+
+TEST(ImageDifference, OfAPictureToItselfIsNone) {
+  const Image image = plain(40, 30, 128);
+  const ImageDifference found = difference(image, image, {});
+  EXPECT_TRUE(found.identical());
+  EXPECT_EQ(found.density, 0);
+}
+
+TEST(ImageDifference, OfSizesIsItsOwn) {
+  const ImageDifference found = difference(plain(40, 30), plain(41, 30), {});
+  EXPECT_FALSE(found.same_size);
+  EXPECT_FALSE(found.within({255, 1.0}));
+}
+
+TEST(ImageDifference, CountsPixelsAndLevels) {
+  const Image a = plain(64, 48);
+  Image b = a;
+  set(b, 10, 10, 254);  // within the tolerance of 8 levels
+  set(b, 50, 40, 200);
+  set(b, 51, 40, 100);
+  set(b, 3, 3, 0);
+  const ImageDifference found = difference(a, b, {8, 0.01});
+  EXPECT_EQ(found.changed, 4);
+  EXPECT_EQ(found.beyond, 3);
+  EXPECT_EQ(found.greatest, 255);
+  EXPECT_DOUBLE_EQ(found.density, 2.0 / 256) << "the two that are near each other";
+  EXPECT_LE(found.x, 50);
+  EXPECT_GT(found.x + difference_window, 51);
+}
+
+TEST(ImageDifference, OneLevelEverywhereIsWithinTheToleranceButNotIdentical) {
+  const ImageDifference found = difference(plain(64, 48, 100), plain(64, 48, 101), {});
+  EXPECT_FALSE(found.identical());
+  EXPECT_EQ(found.changed, 64 * 48);
+  EXPECT_TRUE(found.within({}));
+  EXPECT_FALSE(difference(plain(64, 48, 100), plain(64, 48, 101), {0, 0}).within({0, 0}));
+}
+
+TEST(ImageDifference, MarksWhatWasAddedAndRemoved) {
+  Image a = plain(64, 48), b = plain(64, 48);
+  set(a, 5, 5, 0);
+  set(b, 30, 30, 0);
+  const Image marks = difference_image(a, b, {});
+  const auto at = [&](int x, int y) { return &marks.rgb[static_cast<std::size_t>(3 * (y * 64 + x))]; };
+  EXPECT_GT(at(5, 5)[0], at(5, 5)[2]) << "removed: red";
+  EXPECT_LT(at(30, 30)[0], at(30, 30)[2]) << "added: blue";
+}
+
+/// A line of two pixels' width at a height, drawn with smooth rims.
+Image line_at(const GlContext& context, double height) {
+  Canvas canvas(context, 200, 100);
+  Painter painter(context);
+  canvas.begin_flat(Color::hex(0xFFFFFF));
+  painter.begin(canvas);
+  painter.line(std::vector{Point(10, height), Point(190, height + 20)}, 2, Color::hex(0x0072B2));
+  return canvas.read();
+}
+
+TEST(ImageDifference, ALineMovedByThreeTenthsOfAPixelIsSeen) {
+  const GlContext context;
+  const Image before = line_at(context, 40);
+  const ImageDifference moved = difference(before, line_at(context, 40.3), {});
+  EXPECT_FALSE(moved.within({})) << "density " << moved.density << ", " << moved.beyond << " pixels beyond";
+  const ImageDifference hardly = difference(before, line_at(context, 40.01), {});
+  EXPECT_TRUE(hardly.within({})) << "density " << hardly.density << ", " << hardly.greatest << " levels";
+}
+
+RC_GTEST_PROP(ImageDifferenceProperty, IsTheSameBothWaysAndCountsWhatWasChanged, ()) {
+  const int width = *rc::gen::inRange(1, 50), height = *rc::gen::inRange(1, 50);
+  const Image a = plain(width, height);
+  Image b = a;
+  const int count = *rc::gen::inRange(0, 30);
+  for (int i = 0; i < count; ++i) set(b, *rc::gen::inRange(0, width), *rc::gen::inRange(0, height), 0);
+  long black = 0;
+  for (std::size_t i = 0; i < b.rgb.size(); i += 3) black += b.rgb[i] == 0 ? 1 : 0;
+  const ImageDifference there = difference(a, b, {}), back = difference(b, a, {});
+  RC_ASSERT(there.beyond == black);
+  RC_ASSERT(back.beyond == black);
+  RC_ASSERT(there.density == back.density);
+  // All of them are in one window, or the densest has fewer.
+  const int window = std::min(width, difference_window) * std::min(height, difference_window);
+  RC_ASSERT(std::lround(there.density * window) <= black);
+  RC_ASSERT((there.density > 0) == (black > 0));
+}
+
+}  // namespace
+}  // namespace plumb
