@@ -209,7 +209,7 @@ Figure energy_figure(const Stability& study) {
           hi = std::max(hi, value);
         }
     // What blows up shows that it does; the others must show how they differ.
-    axis.range = {std::max(-0.3, lo - 0.05), std::clamp(1.1 * hi, 0.1, 1.5)};
+    axis.range = {std::max(-0.1, lo - 0.05), std::clamp(1.1 * hi, 0.1, 1.5)};
   }
   figure.plot.panels.back().x.label = "time [s]";
   figure.plot.panels.back().shares_x_below = false;

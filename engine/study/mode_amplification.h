@@ -8,7 +8,7 @@
 namespace plumb {
 
 /// What each fixed-step variant does to a small vibration of the straight, unloaded cable of a case, beside
-/// amplification(). The cable starts in the shape of its fastest vibration, a strain of some 1e-6, so that
+/// amplification(). The cable starts in the shape of its fastest vibration, a strain of some 1e-7, so that
 /// nothing else moves and nothing but the method changes the amplitude; the step is the period over each of
 /// `steps_a_period`. A variant that has no prediction is left out; a run that did not last is measured at -1.
 std::vector<ModeAmplification> mode_amplifications(const std::vector<MethodVariant>& variants,
