@@ -82,11 +82,12 @@ TEST(StudyProgram, KilledItGoesOnWhereItWas) {
 
 TEST(StudyProgram, InterruptedItEndsWith130AndSaysWhereItsRunsAre) {
   const TemporaryFolder folder;
-  std::vector<std::string> command = study_command({"-o", "a", "--set", "study.work_precision.repeats=5"});
+  std::vector<std::string> command = study_command({"-o", "a", "--set", "study.work_precision.repeats=50"});
   command.insert(command.begin(), PLUMB_PROGRAM);
   const pid_t child = start(command, folder.path());
-  while (read_text(folder / "a.unfinished.jsonl").size() < 500 && ::kill(child, 0) == 0)
-    std::this_thread::yield();
+  siginfo_t ended_already{};
+  while (read_text(folder / "a.unfinished.jsonl").size() < 500 && ended_already.si_pid == 0)
+    ::waitid(P_PID, static_cast<id_t>(child), &ended_already, WEXITED | WNOHANG | WNOWAIT);
   ::kill(child, SIGINT);
   const Ended ended = finish(child, folder.path());
   EXPECT_EQ(ended.status, 130) << ended.err;
