@@ -42,7 +42,7 @@ TEST(Png, OpacitiesAreKeptAndComposedOnWhite) {
   };
   for (std::size_t pixel = 0; pixel < 4; ++pixel)
     for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_NEAR(composed.rgb[3 * pixel + c], expected(image.rgb[3 * pixel + c], image.alpha[pixel]), 1)
+      EXPECT_NEAR(composed.rgb[3 * pixel + c], expected(image.rgb[3 * pixel + c], image.alpha[pixel]), 2)
           << pixel << ", " << c;
 }
 
