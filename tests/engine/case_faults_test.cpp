@@ -573,7 +573,7 @@ TEST(CaseFaults, ABadLookOfASceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:65:9: scene.theme = \"drak\": must be \"light\" or \"dark\"; did you mean \"dark\"?"},
       {"cable_radius = 0.01", added("background = true"),
        "case.toml:65:14: scene.background = true: must be \"scene\", \"plain\" or \"transparent\", found "
-       "true or false"},
+       "a boolean"},
       {"cable_radius = 0.01", added("background = \"transparant\""),
        "case.toml:65:14: scene.background = \"transparant\": must be \"scene\", \"plain\" or "
        "\"transparent\"; did you mean \"transparent\"?"},
