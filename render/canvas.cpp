@@ -81,15 +81,21 @@ void Canvas::clip(int scale) const {
                         scale * (bottom - static_cast<int>(region_.top)));
 }
 
-void Canvas::begin_geometry(const Rect& region) {
+void Canvas::place_at(int left, int top) {
+  left_ = left;
+  top_ = top;
+}
+
+bool Canvas::begin_geometry(const Rect& region) {
   const Gl& gl = context_.gl();
   const auto inside = [](double pixel, int limit) {
     return std::clamp(pixel, 0.0, static_cast<double>(limit));
   };
-  region_.left = std::floor(inside(region.left, width_));
-  region_.top = std::floor(inside(region.top, height_));
-  region_.right = std::ceil(inside(region.right, width_));
-  region_.bottom = std::ceil(inside(region.bottom, height_));
+  region_.left = std::floor(inside(region.left - left_, width_));
+  region_.top = std::floor(inside(region.top - top_, height_));
+  region_.right = std::ceil(inside(region.right - left_, width_));
+  region_.bottom = std::ceil(inside(region.bottom - top_, height_));
+  if (!(region_.width() > 0 && region_.height() > 0)) return false;
   if (!geometry_) geometry_.emplace(context_, width_ * layer_scale_, height_ * layer_scale_, samples_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, geometry_->framebuffer.id());
   gl.Viewport(0, 0, width_ * layer_scale_, height_ * layer_scale_);
@@ -101,9 +107,10 @@ void Canvas::begin_geometry(const Rect& region) {
   gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  return true;
 }
 
-void Canvas::resolve() {
+void Canvas::resolve(double opacity) {
   const Gl& gl = context_.gl();
   if (!resolver_) resolver_.emplace(context_, fullscreen_vert, resolve_frag);
   bind_flat();
@@ -114,6 +121,7 @@ void Canvas::resolve() {
   resolver_->use();
   resolver_->set("scale", layer_scale_);
   resolver_->set("samples", samples_);
+  resolver_->set("opacity", static_cast<float>(opacity));
   gl.BindVertexArray(no_attributes_.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   bind_flat();
@@ -121,7 +129,9 @@ void Canvas::resolve() {
 
 void Canvas::begin_flat(Color background) {
   bind_flat();
-  context_.gl().ClearColor(background.r, background.g, background.b, 1);
+  opaque_ = background.a >= 1;
+  context_.gl().ClearColor(background.a * background.r, background.a * background.g,
+                           background.a * background.b, background.a);
   context_.gl().Clear(GL_COLOR_BUFFER_BIT);
 }
 
@@ -137,7 +147,8 @@ void Canvas::bind_flat() const {
   gl.Disable(GL_DEPTH_TEST);
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  // The picture's colours are multiplied by its opacity, those that are drawn are not.
+  gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 void Canvas::copy(const Layer& from, const Layer& to) const {
@@ -159,23 +170,47 @@ void Canvas::restore() const {
 }
 
 Image Canvas::read() const {
+  const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  Image image{width_, height_, std::vector<std::uint8_t>(3 * pixels), {}};
+  if (!opaque_) image.alpha.resize(pixels);
+  read_into(image);
+  return image;
+}
+
+void Canvas::read_into(Image& picture) const {
   const Gl& gl = context_.gl();
-  const auto columns = static_cast<std::size_t>(width_);
-  const auto rows = static_cast<std::size_t>(height_);
-  std::vector<std::uint8_t> rgba(4 * columns * rows);
+  const auto stride = static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> rgba(4 * stride * static_cast<std::size_t>(height_));
   gl.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.id());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   context_.check("drawing a picture");
 
-  Image image{width_, height_, std::vector<std::uint8_t>(3 * columns * rows)};
+  // A canvas placed in a larger picture may reach beyond it.
+  const bool larger = picture.width != width_ || picture.height != height_;
+  const int left = larger ? left_ : 0, top = larger ? top_ : 0;
+  const auto columns = static_cast<std::size_t>(std::clamp(picture.width - left, 0, width_));
+  const auto rows = static_cast<std::size_t>(std::clamp(picture.height - top, 0, height_));
   for (std::size_t row = 0; row < rows; ++row) {
-    const std::uint8_t* from = &rgba[4 * columns * (rows - 1 - row)];  // OpenGL counts rows from the bottom
-    std::uint8_t* to = &image.rgb[3 * columns * row];
-    for (std::size_t column = 0; column < columns; ++column)
-      for (std::size_t c = 0; c < 3; ++c) to[3 * column + c] = from[4 * column + c];
+    // OpenGL counts rows from the bottom.
+    const std::uint8_t* from = &rgba[4 * stride * (static_cast<std::size_t>(height_) - 1 - row)];
+    const std::size_t first =
+        (static_cast<std::size_t>(top) + row) * static_cast<std::size_t>(picture.width) +
+        static_cast<std::size_t>(left);
+    std::uint8_t* to = &picture.rgb[3 * first];
+    if (picture.alpha.empty()) {
+      for (std::size_t column = 0; column < columns; ++column)
+        for (std::size_t c = 0; c < 3; ++c) to[3 * column + c] = from[4 * column + c];
+    } else {
+      for (std::size_t column = 0; column < columns; ++column) {
+        const unsigned alpha = from[4 * column + 3];
+        for (std::size_t c = 0; c < 3; ++c)
+          to[3 * column + c] = static_cast<std::uint8_t>(
+              alpha == 0 ? 0 : std::min(255U, (255U * from[4 * column + c] + alpha / 2) / alpha));
+        picture.alpha[first + column] = static_cast<std::uint8_t>(alpha);
+      }
+    }
   }
-  return image;
 }
 
 }  // namespace plumb

@@ -18,13 +18,21 @@ class Canvas {
   /// Throws OutputError when that is more than the renderer can draw.
   Canvas(const GlContext& context, int width, int height, int supersampling = 1);
 
+  /// Makes the canvas the part of a larger picture that starts at this pixel of it: places in the picture are
+  /// then counted from the larger one's corner.
+  void place_at(int left, int top);
+  int left() const { return left_; }
+  int top() const { return top_; }
+
   /// Directs drawing to the geometry layer, cleared to nothing, with depth test on. Colours drawn there are
   /// multiplied by their opacity. Geometry outside `region` (pixels of the picture) need not be drawn, which
-  /// saves time.
-  void begin_geometry(const Rect& region);
-  /// Lays the geometry over the picture and directs drawing there.
-  void resolve();
-  /// Directs drawing to the picture, cleared.
+  /// saves time. False where nothing of the region is on the canvas; then there is nothing to draw or
+  /// resolve.
+  bool begin_geometry(const Rect& region);
+  /// Lays the geometry over the picture, as a whole as opaque as this, and directs drawing there.
+  void resolve(double opacity = 1);
+  /// Directs drawing to the picture, cleared; what is drawn on a background that is not opaque leaves a
+  /// picture with opacities.
   void begin_flat(Color background);
   /// Directs drawing to the picture as it is, all of it.
   void bind_flat() const;
@@ -36,8 +44,10 @@ class Canvas {
   void restore() const;
   /// The picture so far. Throws OutputError when OpenGL has recorded an error.
   Image read() const;
+  /// The same into its place in the larger picture, whose size and kind are set.
+  void read_into(Image& picture) const;
 
-  Rect whole() const { return {0, 0, static_cast<double>(width_), static_cast<double>(height_)}; }
+  Rect whole() const { return {1.0 * left_, 1.0 * top_, 1.0 * left_ + width_, 1.0 * top_ + height_}; }
   int width() const { return width_; }
   int height() const { return height_; }
   /// How many times the geometry layer is as large along each side. Four samples of a pixel are one pixel of
@@ -68,6 +78,9 @@ class Canvas {
   int height_;
   int samples_;  // a pixel of the geometry layer
   int layer_scale_;
+  int left_ = 0;
+  int top_ = 0;
+  bool opaque_ = true;
   Layer flat_;
   std::optional<Layer> kept_;
   std::optional<Geometry> geometry_;

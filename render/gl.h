@@ -14,6 +14,7 @@ namespace plumb {
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                 \
   X(PFNGLBLENDEQUATIONPROC, BlendEquation)                     \
   X(PFNGLBLENDFUNCPROC, BlendFunc)                             \
+  X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)             \
   X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                 \
   X(PFNGLBUFFERDATAPROC, BufferData)                           \
   X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)   \

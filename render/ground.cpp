@@ -19,11 +19,10 @@ void set3(const GlProgram& program, const char* name, const Vec3& v) {
 
 }  // namespace
 
-Ground::Ground(const GlContext& context, const Stage& stage, const Camera& camera, double cable_radius,
-               double length, double line_width)
+Ground::Ground(const GlContext& context, const Stage& stage, double cable_radius, double length,
+               double line_width, Color grid, Color shadow)
     : context_(context.make_current()),
       stage_(stage),
-      camera_(camera),
       cable_radius_(cable_radius),
       shadow_reach_(1.15 * std::max(stage.reach, 0.05 * length) + 10 * cable_radius),
       grid_(context, ground_vert, ground_frag),
@@ -33,16 +32,15 @@ Ground::Ground(const GlContext& context, const Stage& stage, const Camera& camer
       no_attributes_(context),
       shadow_map_(context),
       shadow_framebuffer_(context) {
-  const Eigen::Matrix4f matrix = camera.matrix().cast<float>();
   const Eigen::Vector2f middle = stage.middle.cast<float>();
   for (const GlProgram* program : {&grid_, &shadow_}) {
     program->use();
-    program->set_matrix("view", matrix.data());
     set3(*program, "origin", stage.origin);
     set3(*program, "across", stage.across);
     set3(*program, "forward", stage.forward);
     program->set("middle", middle.x(), middle.y());
     program->set("radius", static_cast<float>(program == &grid_ ? stage.ground_radius : shadow_reach_));
+    program->set("ink", program == &grid_ ? grid : shadow);
   }
   grid_.use();
   grid_.set("grid", static_cast<float>(stage.grid));
@@ -62,22 +60,42 @@ Ground::Ground(const GlContext& context, const Stage& stage, const Camera& camer
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shadow_map_.id(), 0);
 }
 
+void Ground::look(const Camera& camera) {
+  camera_ = &camera;
+  const Eigen::Matrix4f matrix = camera.matrix().cast<float>();
+  for (const GlProgram* program : {&grid_, &shadow_}) {
+    program->use();
+    program->set_matrix("view", matrix.data());
+  }
+}
+
+void Ground::set_tile(Color tile) const {
+  for (const GlProgram* program : {&grid_, &shadow_}) {
+    program->use();
+    program->set("tile", tile);
+  }
+}
+
+bool Ground::is_seen() const {
+  return !camera_->is_parallel() || std::abs(camera_->back().dot(stage_.up)) > 1e-6;
+}
+
 void Ground::draw_grid() const {
+  if (!is_seen()) return;
   context_.gl().BindVertexArray(no_attributes_.id());
   grid_.use();
   context_.gl().DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void Ground::cast_shadow(std::span<const CurvePoint> curve) {
+void Ground::cast_shadow(std::span<const std::vector<CurvePoint>> curves) {
   const Gl& gl = context_.gl();
   const double texel = 2 * shadow_reach_ / shadow_size;
   std::vector<float> pieces;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-    const Eigen::Vector2d a = stage_.ground_coordinates(curve[i].position);
-    const Eigen::Vector2d b = stage_.ground_coordinates(curve[i + 1].position);
-    const double height =
-        std::max(0.0, (stage_.height(curve[i].position) + stage_.height(curve[i + 1].position)) / 2);
+  const auto add = [&](const CurvePoint& from, const CurvePoint& to) {
+    const Eigen::Vector2d a = stage_.ground_coordinates(from.position);
+    const Eigen::Vector2d b = stage_.ground_coordinates(to.position);
+    const double height = std::max(0.0, (stage_.height(from.position) + stage_.height(to.position)) / 2);
     // A wide light: the higher the cable, the softer and fainter.
     const double blur = cable_radius_ + 0.035 * height;
     const double strength = 0.15 + 0.85 * std::sqrt(cable_radius_ / blur);
@@ -87,7 +105,9 @@ void Ground::cast_shadow(std::span<const CurvePoint> curve) {
     const double around = std::max(cable_radius_, texel) + 2 * std::max(blur, texel) + texel;
     low = low.cwiseMin((a.cwiseMin(b).array() - around).matrix());
     high = high.cwiseMax((a.cwiseMax(b).array() + around).matrix());
-  }
+  };
+  for (const std::vector<CurvePoint>& curve : curves)
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) add(curve[i], curve[i + 1]);
   shadowed_ = in_picture(low, high);
   gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer_.id());
   gl.Viewport(0, 0, shadow_size, shadow_size);
@@ -106,7 +126,7 @@ std::optional<Rect> Ground::in_picture(const Eigen::Vector2d& low, const Eigen::
   Rect rect{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const double x : {low.x(), high.x()})
     for (const double y : {low.y(), high.y()}) {
-      const Point p = camera_.pixel(stage_.origin + x * stage_.across + y * stage_.forward);
+      const Point p = camera_->pixel(stage_.origin + x * stage_.across + y * stage_.forward);
       if (!p.allFinite()) return {};
       rect.left = std::min(rect.left, p.x());
       rect.right = std::max(rect.right, p.x());
@@ -116,7 +136,8 @@ std::optional<Rect> Ground::in_picture(const Eigen::Vector2d& low, const Eigen::
   return rect;
 }
 
-void Ground::draw_shadow(int picture_height) const {
+void Ground::draw_shadow(const Canvas& canvas) const {
+  if (!is_seen()) return;
   const Gl& gl = context_.gl();
   if (shadowed_) {
     // A box far outside the picture is more than OpenGL's whole numbers hold.
@@ -124,7 +145,7 @@ void Ground::draw_shadow(int picture_height) const {
     const int left = whole(std::floor(shadowed_->left)), right = whole(std::ceil(shadowed_->right));
     const int top = whole(std::floor(shadowed_->top)), bottom = whole(std::ceil(shadowed_->bottom));
     gl.Enable(GL_SCISSOR_TEST);
-    gl.Scissor(left, picture_height - bottom, right - left, bottom - top);
+    gl.Scissor(left - canvas.left(), canvas.height() - (bottom - canvas.top()), right - left, bottom - top);
   }
   gl.BindVertexArray(no_attributes_.id());
   gl.ActiveTexture(GL_TEXTURE0);

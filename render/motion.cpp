@@ -14,10 +14,11 @@ namespace {
 
 // In a picture of the whole motion the cable would be a millionth of it.
 constexpr double farthest = 1e6;  // cable lengths
+constexpr int along = 48;         // pieces that tell where a cable is
 
 }  // namespace
 
-Motion::Motion(const Trajectory& trajectory) : trajectory_(trajectory) {
+Motion::Motion(const Trajectory& trajectory, const Vec3& offset) : trajectory_(trajectory), offset_(offset) {
   const std::size_t count = trajectory.times.size();
   if (count == 0) throw OutputError("the run has no outputs: nothing to draw");
   if (trajectory.elements < 1 || !(trajectory.element_length > 0) || trajectory.q.size() != count ||
@@ -46,8 +47,8 @@ Motion::Motion(const Trajectory& trajectory) : trajectory_(trajectory) {
   }
 }
 
-Eigen::VectorXd Motion::state(double time) const {
-  return state_at(trajectory_, std::clamp(time, trajectory_.times.front(), trajectory_.times.back())).q;
+State Motion::at(double time) const {
+  return state_at(trajectory_, std::clamp(time, trajectory_.times.front(), trajectory_.times.back()));
 }
 
 CurvePoint Motion::point(const Eigen::VectorXd& state, double place) const {
@@ -60,18 +61,28 @@ CurvePoint Motion::point(const Eigen::VectorXd& state, double place) const {
   // Where the slope has collapsed, the element's ends tell the direction.
   if (!(slope.norm() > 1e-12)) slope = node(2) - node(0);
   const double length = slope.norm();
-  return {s[0] * node(0) + s[1] * node(1) + s[2] * node(2) + s[3] * node(3),
-          length > 0 ? Vec3(slope / length) : Vec3(Vec3::UnitX())};
+  return {s[0] * node(0) + s[1] * node(1) + s[2] * node(2) + s[3] * node(3) + offset_,
+          length > 0 ? Vec3(slope / length) : Vec3(Vec3::UnitX()), place};
 }
 
-std::vector<CurvePoint> Motion::curve(const Eigen::VectorXd& state, int per_element) const {
-  std::vector<CurvePoint> points;
-  points.reserve(static_cast<std::size_t>(trajectory_.elements * per_element) + 1);
-  for (int e = 0; e < trajectory_.elements; ++e)
-    for (int i = 0; i < per_element; ++i)
-      points.push_back(point(state, e + static_cast<double>(i) / per_element));
-  points.push_back(point(state, trajectory_.elements));
-  return points;
+Vec3 Motion::middle(const Eigen::VectorXd& state) const {
+  Vec3 sum = Vec3::Zero();
+  for (int k = 0; k <= along; ++k) sum += point(state, 1.0 * elements() * k / along).position;
+  return sum / (along + 1);
+}
+
+std::vector<Vec3> covered_places(const Motion& motion) {
+  // Outputs beyond some hundreds hardly add to the space that the motion fills.
+  constexpr std::size_t enough = 500;
+  const std::size_t stride = std::max<std::size_t>(1, motion.output_count() / enough);
+  std::vector<Vec3> places;
+  const auto add = [&](const Eigen::VectorXd& state) {
+    for (int k = 0; k <= along; ++k)
+      places.push_back(motion.point(state, static_cast<double>(motion.elements()) * k / along).position);
+  };
+  for (std::size_t i = 0; i < motion.output_count(); i += stride) add(motion.output(i));
+  add(motion.output(motion.output_count() - 1));
+  return places;
 }
 
 }  // namespace plumb

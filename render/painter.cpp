@@ -78,7 +78,8 @@ void Painter::clip_nothing() {
 
 void Painter::limit_to(const Rect& rect) {
   context_.gl().Enable(GL_SCISSOR_TEST);
-  context_.gl().Scissor(static_cast<int>(rect.left), canvas_->height() - static_cast<int>(rect.bottom),
+  context_.gl().Scissor(static_cast<int>(rect.left) - canvas_->left(),
+                        canvas_->height() - (static_cast<int>(rect.bottom) - canvas_->top()),
                         static_cast<int>(rect.width()), static_cast<int>(rect.height()));
 }
 
@@ -130,12 +131,12 @@ void Painter::markers(std::span<const Point> points, Marker marker, double diame
 
 void Painter::fill(const Rect& rect, Color color) {
   const Gl& gl = context_.gl();
-  const auto left = static_cast<float>(std::round(rect.left));
-  const auto top = static_cast<float>(std::round(rect.top));
+  const auto left = static_cast<float>(std::round(rect.left) - canvas_->left());
+  const auto top = static_cast<float>(std::round(rect.top) - canvas_->top());
   text_.use();
   text_.set("size", static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
-  text_.set("box", Color{left, top, static_cast<float>(std::round(rect.right)) - left,
-                         static_cast<float>(std::round(rect.bottom)) - top});
+  text_.set("box", Color{left, top, static_cast<float>(std::round(rect.right) - canvas_->left()) - left,
+                         static_cast<float>(std::round(rect.bottom) - canvas_->top()) - top});
   text_.set("ink", color);
   text_.set("solid", 1);
   gl.BindVertexArray(no_attributes_.id());
@@ -176,9 +177,9 @@ void Painter::stamp(const TextBitmap& bitmap, double x, double y, Color color) {
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   text_.use();
   text_.set("size", static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
-  text_.set("box", Color{static_cast<float>(std::round(x) - bitmap.left),
-                         static_cast<float>(std::round(y) - bitmap.base), static_cast<float>(bitmap.width),
-                         static_cast<float>(bitmap.height)});
+  text_.set("box", Color{static_cast<float>(std::round(x) - bitmap.left - canvas_->left()),
+                         static_cast<float>(std::round(y) - bitmap.base - canvas_->top()),
+                         static_cast<float>(bitmap.width), static_cast<float>(bitmap.height)});
   text_.set("ink", color);
   text_.set("solid", 0);
   gl.BindVertexArray(no_attributes_.id());
@@ -203,8 +204,7 @@ void Painter::draw_shapes(std::span<const float> shapes, Color color) {
   size_mask();
   // Only where the shapes are and the clip allows, as most are small.
   Rect reach = reach_of(shapes);
-  const Rect limit = clip_.value_or(
-      Rect{0, 0, static_cast<double>(canvas_->width()), static_cast<double>(canvas_->height())});
+  const Rect limit = clip_.value_or(canvas_->whole());
   reach = {std::max(reach.left, limit.left), std::max(reach.top, limit.top),
            std::min(reach.right, limit.right), std::min(reach.bottom, limit.bottom)};
   if (!(reach.width() > 0 && reach.height() > 0)) return;
@@ -215,6 +215,7 @@ void Painter::draw_shapes(std::span<const float> shapes, Color color) {
   gl.BlendEquation(GL_MAX);
   shapes_.use();
   shapes_.set("size", static_cast<float>(mask_width_), static_cast<float>(mask_height_));
+  shapes_.set("corner_of_canvas", static_cast<float>(canvas_->left()), static_cast<float>(canvas_->top()));
   instances_.upload(shapes);
   gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances_.count());
 

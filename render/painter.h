@@ -18,7 +18,8 @@ class Painter {
  public:
   explicit Painter(const GlContext& context);
 
-  /// Starts drawing on `canvas`, which must outlive the drawing.
+  /// Starts drawing on `canvas`, which must outlive the drawing. Where it is a part of a larger picture,
+  /// places are counted from that one's corner.
   void begin(const Canvas& canvas);
 
   /// Limits what follows to a rectangle, rounded to whole pixels.

@@ -19,7 +19,7 @@ constexpr int compression_level(PngEffort effort) {
   return effort == PngEffort::small ? 6 : 3;
 }
 constexpr int filters = PNG_FILTER_NONE;
-constexpr unsigned max_side = 16384;
+constexpr unsigned max_side = 32768;
 
 struct Sink {
   std::string bytes;
@@ -38,12 +38,23 @@ void flush_nothing(png_structp /*png*/) {}
   png_longjmp(png, 1);
 }
 
-// Nothing in this function has a destructor, as libpng's errors jump out of what it calls.
+void interleave(const Image& image, std::size_t row, std::vector<std::uint8_t>& rgba) {
+  const auto width = static_cast<std::size_t>(image.width);
+  for (std::size_t x = 0; x < width; ++x) {
+    const std::size_t pixel = row * width + x;
+    for (std::size_t c = 0; c < 3; ++c) rgba[4 * x + c] = image.rgb[3 * pixel + c];
+    rgba[4 * x + 3] = image.alpha[pixel];
+  }
+}
+
+// Nothing in this function has a destructor, as libpng's errors jump out of what it calls. `rgba` has room
+// for a row where the picture has opacities.
 bool write(png_structp png, png_infop info, const Image& image, const std::vector<png_text>& texts,
-           int level) {
+           std::vector<std::uint8_t>& rgba, int level) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+               rgba.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_set_compression_level(png, level);
   png_set_compression_buffer_size(png, 1U << 18);  // few, large IDAT chunks
@@ -51,8 +62,10 @@ bool write(png_structp png, png_infop info, const Image& image, const std::vecto
   if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
   png_write_info(png, info);
   const std::size_t stride = std::size_t{3} * static_cast<std::size_t>(image.width);
-  for (int row = 0; row < image.height; ++row)
-    png_write_row(png, image.rgb.data() + static_cast<std::size_t>(row) * stride);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
+    if (!rgba.empty()) interleave(image, row, rgba);
+    png_write_row(png, rgba.empty() ? image.rgb.data() + row * stride : rgba.data());
+  }
   png_write_end(png, info);
   return true;
 }
@@ -60,11 +73,13 @@ bool write(png_structp png, png_infop info, const Image& image, const std::vecto
 }  // namespace
 
 std::string encode_png(const Image& image, const PngTexts& texts, PngEffort effort) {
-  const std::size_t size =
-      std::size_t{3} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (image.width < 1 || image.height < 1 || image.rgb.size() != size)
-    throw OutputError(fmt::format("PNG: a picture of {} x {} pixels with {} bytes cannot be written",
-                                  image.width, image.height, image.rgb.size()));
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (image.width < 1 || image.height < 1 || image.rgb.size() != 3 * pixels ||
+      (!image.alpha.empty() && image.alpha.size() != pixels))
+    throw OutputError(
+        fmt::format("PNG: a picture of {} x {} pixels with {} bytes and {} opacities cannot be written",
+                    image.width, image.height, image.rgb.size(), image.alpha.size()));
+  std::vector<std::uint8_t> rgba(image.alpha.empty() ? 0 : 4 * static_cast<std::size_t>(image.width));
   std::vector<png_text> entries;
   for (const auto& [key, value] : texts) {
     png_text entry{};
@@ -80,7 +95,7 @@ std::string encode_png(const Image& image, const PngTexts& texts, PngEffort effo
   if (png == nullptr) throw OutputError("PNG: libpng cannot be started");
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(png, &sink, write_bytes, flush_nothing);
-  const bool written = info != nullptr && write(png, info, image, entries, compression_level(effort));
+  const bool written = info != nullptr && write(png, info, image, entries, rgba, compression_level(effort));
   png_destroy_write_struct(&png, &info);
   if (!written) throw OutputError("PNG: " + sink.error);
   return std::move(sink.bytes);
@@ -112,7 +127,7 @@ Image decode_png(std::string_view bytes, const std::string& name) {
                                  header.height, max_side));
   }
   header.format = PNG_FORMAT_RGB;
-  Image image{static_cast<int>(header.width), static_cast<int>(header.height), {}};
+  Image image{static_cast<int>(header.width), static_cast<int>(header.height), {}, {}};
   image.rgb.resize(PNG_IMAGE_SIZE(header));
   const png_color white{255, 255, 255};
   if (png_image_finish_read(&header, &white, image.rgb.data(), 0, nullptr) == 0) fail();

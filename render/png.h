@@ -22,12 +22,12 @@ enum class PngEffort {
   quick,  ///< time: for frames, some 15 % larger in half the time
 };
 
-/// The bytes of a PNG file, RGB, 8 bits a channel; the same for the same picture, texts and effort.
-/// Throws OutputError when the picture is empty or libpng refuses it.
+/// The bytes of a PNG file, 8 bits a channel, RGB or, of a picture with opacities, RGBA; the same for the
+/// same picture, texts and effort. Throws OutputError when the picture is empty or libpng refuses it.
 std::string encode_png(const Image& image, const PngTexts& texts = {}, PngEffort effort = PngEffort::small);
 
 /// The picture in the bytes of a PNG file of any kind, on white where it is transparent; of an animated one,
-/// its first frame. Throws InputError that names `name` on bad data or more than 16384 pixels a side.
+/// its first frame. Throws InputError that names `name` on bad data or more than 32768 pixels a side.
 Image decode_png(std::string_view bytes, const std::string& name);
 
 /// The text of a keyword in the bytes of a PNG file; nothing where it has none. Throws InputError that names

@@ -15,21 +15,6 @@ constexpr double clearance = 0.06;  // of the ground below the lowest place, in 
 constexpr double elevation = 24 * std::numbers::pi / 180;
 constexpr double turn = 28 * std::numbers::pi / 180;  // away from facing the main direction of the motion
 
-std::vector<Vec3> places_of(const Motion& motion) {
-  // Outputs beyond some hundreds hardly add to the space that the motion fills.
-  constexpr std::size_t enough = 500;
-  const std::size_t stride = std::max<std::size_t>(1, motion.output_count() / enough);
-  constexpr int along = 48;
-  std::vector<Vec3> places;
-  const auto add = [&](const Eigen::VectorXd& state) {
-    for (int k = 0; k <= along; ++k)
-      places.push_back(motion.point(state, static_cast<double>(motion.elements()) * k / along).position);
-  };
-  for (std::size_t i = 0; i < motion.output_count(); i += stride) add(motion.output(i));
-  add(motion.output(motion.output_count() - 1));
-  return places;
-}
-
 // Direction in the ground along which the motion spreads most, as an angle from `across`; 0 where it spreads
 // alike.
 double main_direction(const std::vector<Eigen::Vector2d>& spread) {
@@ -46,15 +31,13 @@ double main_direction(const std::vector<Eigen::Vector2d>& spread) {
 
 }  // namespace
 
-Stage make_stage(const Motion& motion, double length, double radius, const Vec3& gravity,
-                 const std::optional<CameraSpec>& camera, double aspect) {
+Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity) {
   Stage stage;
   stage.up = gravity.stableNorm() > 0 ? Vec3(-gravity.stableNormalized()) : Vec3(Vec3::UnitY());
   const Vec3 reference = std::abs(stage.up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
   stage.across = (reference - stage.up * stage.up.dot(reference)).normalized();
   stage.forward = stage.across.cross(stage.up);
 
-  std::vector<Vec3> places = places_of(motion);
   double lowest = stage.up.dot(places.front());
   for (const Vec3& place : places) lowest = std::min(lowest, stage.up.dot(place));
   const Vec3 first = places.front();
@@ -81,16 +64,12 @@ Stage make_stage(const Motion& motion, double length, double radius, const Vec3&
   for (const Vec3& place : places)
     stage.radius = std::max(stage.radius, (place - middle).norm() + 4 * radius);
 
-  if (camera) {
-    stage.camera = *camera;
-  } else {
-    const double angle = main_direction(spread) + turn;
-    // Of the two sides from which the motion spreads across the view, the one towards `forward`.
-    Vec3 side = std::sin(angle) * -stage.across + std::cos(angle) * stage.forward;
-    if (side.dot(stage.forward) < 0) side = -side;
-    const Vec3 back = std::cos(elevation) * side + std::sin(elevation) * stage.up;
-    stage.camera = fitted_camera(places, 3 * radius, back, stage.up, aspect, {});
-  }
+  const double angle = main_direction(spread) + turn;
+  // Of the two sides from which the motion spreads across the view, the one towards `forward`.
+  Vec3 side = std::sin(angle) * -stage.across + std::cos(angle) * stage.forward;
+  if (side.dot(stage.forward) < 0) side = -side;
+  stage.best_side = std::cos(elevation) * side + std::sin(elevation) * stage.up;
+  stage.places = std::move(places);
   return stage;
 }
 

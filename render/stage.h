@@ -1,7 +1,8 @@
 #pragma once
 
-#include "render/camera.h"
-#include "render/motion.h"
+#include <vector>
+
+#include "engine/input/scene_spec.h"
 
 namespace plumb {
 
@@ -16,9 +17,10 @@ struct Stage {
   double reach = 0;          ///< how far from the middle the motion's projection reaches, m
   double ground_radius = 0;  ///< where the ground has faded out, m from the middle
   double grid = 0;           ///< distance of grid lines, m
-  CameraSpec camera;
-  Vec3 center;        ///< of a ball that encloses the motion and the ground, m
-  double radius = 0;  ///< of that ball, m
+  std::vector<Vec3> places;  ///< that the motion covers, and those below them on the ground, m
+  Vec3 best_side;            ///< unit vector, from the motion to where it is seen best from
+  Vec3 center;               ///< of a ball that encloses the motion and the ground, m
+  double radius = 0;         ///< of that ball, m
 
   Vec3 on_ground(const Vec3& place) const { return place - up * up.dot(place - origin); }
   Eigen::Vector2d ground_coordinates(const Vec3& place) const {
@@ -27,10 +29,9 @@ struct Stage {
   double height(const Vec3& place) const { return up.dot(place - origin); }
 };
 
-/// The stage for a motion of a cable of a length, drawn with a radius (m): the ground below the lowest place
-/// of all outputs at right angles to gravity (to Y without gravity), and, unless `camera` tells where to
-/// stand, a camera that sees all of the motion and its shadow.
-Stage make_stage(const Motion& motion, double length, double radius, const Vec3& gravity,
-                 const std::optional<CameraSpec>& camera, double aspect);
+/// The stage for a motion that covers `places` (one or more, the first being the first end at the start) of a
+/// cable of a length, drawn with a radius (m): the ground is below the lowest place at right angles to
+/// gravity (to Y without gravity).
+Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity);
 
 }  // namespace plumb

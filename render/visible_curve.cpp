@@ -20,8 +20,9 @@ double distance_to_chord(const Point& p, const Point& a, const Point& b) {
 
 class Subdivision {
  public:
-  Subdivision(const Motion& motion, const Eigen::VectorXd& state, const Camera& camera, double tolerance)
-      : motion_(motion), state_(state), camera_(camera), tolerance_(tolerance) {}
+  Subdivision(const Motion& motion, const Eigen::VectorXd& state, const Camera& camera, double tolerance,
+              double longest)
+      : motion_(motion), state_(state), camera_(camera), tolerance_(tolerance), longest_(longest) {}
 
   std::vector<CurvePoint> points() {
     const double elements = motion_.elements();
@@ -39,7 +40,7 @@ class Subdivision {
   void add(double from, const CurvePoint& first, double to, const CurvePoint& last) {
     const double middle = (from + to) / 2;
     const CurvePoint half = motion_.point(state_, middle);
-    if (to - from > finest && is_bent(from, first, middle, half, to, last)) {
+    if (to - from > longest_ || (to - from > finest && is_bent(from, first, middle, half, to, last))) {
       add(from, first, middle, half);
       add(middle, half, to, last);
     } else {
@@ -63,14 +64,15 @@ class Subdivision {
   const Eigen::VectorXd& state_;
   const Camera& camera_;
   double tolerance_;
+  double longest_;
   std::vector<CurvePoint> result_;
 };
 
 }  // namespace
 
 std::vector<CurvePoint> visible_curve(const Motion& motion, const Eigen::VectorXd& state,
-                                      const Camera& camera, double tolerance) {
-  return Subdivision(motion, state, camera, tolerance).points();
+                                      const Camera& camera, double tolerance, double longest) {
+  return Subdivision(motion, state, camera, tolerance, longest).points();
 }
 
 }  // namespace plumb

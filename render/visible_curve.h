@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "render/camera.h"
@@ -8,8 +9,10 @@
 namespace plumb {
 
 /// The cable in a state by as few of its points as the picture needs: nowhere is the curve further than
-/// `tolerance` pixels from the chords between them. Both ends are among them.
+/// `tolerance` pixels from the chords between them, and no chord is longer than `longest` elements. Both ends
+/// are among them.
 std::vector<CurvePoint> visible_curve(const Motion& motion, const Eigen::VectorXd& state,
-                                      const Camera& camera, double tolerance);
+                                      const Camera& camera, double tolerance,
+                                      double longest = std::numeric_limits<double>::infinity());
 
 }  // namespace plumb

@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "engine/input/laboratory_specs.h"
+#include "engine/input/scene_spec.h"
 
 namespace plumb {
-
-using Vec3 = Eigen::Vector3d;
 
 /// What a cable is modelled as.
 enum class CableModel {
@@ -162,26 +161,6 @@ struct FigureSpec {
   bool equal_axes = false;  ///< one scale for both axes, which have the same unit
 
   friend bool operator==(const FigureSpec&, const FigureSpec&) = default;
-};
-
-/// A camera that is told where to stand; without one the whole motion is fitted into the picture.
-struct CameraSpec {
-  Vec3 eye{0, 0, 0};          ///< m
-  Vec3 target{0, 0, 0};       ///< m
-  Vec3 up{0, 1, 0};           ///< not along the view
-  double field_of_view = 35;  ///< vertical, degrees, in [1, 120]
-
-  friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
-};
-
-struct SceneSpec {
-  std::array<int, 2> size{960, 540};  ///< pixels, 16 to 8192 each; times supersampling at most 16384
-  double frame_rate = 25;             ///< frames a second of simulated time, > 0; at most 100,000 frames
-  int supersampling = 2;              ///< samples along each side of a pixel, 1 to 4
-  double cable_radius = 0;            ///< as drawn, m; 0: the true radius, but at least L/150
-  std::optional<CameraSpec> camera;
-
-  friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
 /// How far a work-precision study goes. The form that `plumb run` makes is shorter than that of `plumb

@@ -66,4 +66,34 @@ inline constexpr std::array words_of<Norm>{
     Word<Norm>{Norm::rms, "rms"},
 };
 
+template <>
+inline constexpr std::array words_of<View>{
+    Word<View>{View::fit, "fit"},       Word<View>{View::front, "front"}, Word<View>{View::back, "back"},
+    Word<View>{View::left, "left"},     Word<View>{View::right, "right"}, Word<View>{View::top, "top"},
+    Word<View>{View::bottom, "bottom"}, Word<View>{View::orbit, "orbit"}, Word<View>{View::follow, "follow"},
+};
+
+template <>
+inline constexpr std::array words_of<SceneTheme>{
+    Word<SceneTheme>{SceneTheme::light, "light"},
+    Word<SceneTheme>{SceneTheme::dark, "dark"},
+};
+
+template <>
+inline constexpr std::array words_of<SceneBackground>{
+    Word<SceneBackground>{SceneBackground::scene, "scene"},
+    Word<SceneBackground>{SceneBackground::plain, "plain"},
+    Word<SceneBackground>{SceneBackground::transparent, "transparent"},
+};
+
+template <>
+inline constexpr std::array words_of<ColorField>{
+    Word<ColorField>{ColorField::none, "none"},
+    Word<ColorField>{ColorField::axial_strain, "axial-strain"},
+    Word<ColorField>{ColorField::axial_force, "axial-force"},
+    Word<ColorField>{ColorField::curvature, "curvature"},
+    Word<ColorField>{ColorField::bending_moment, "bending-moment"},
+    Word<ColorField>{ColorField::speed, "speed"},
+};
+
 }  // namespace plumb

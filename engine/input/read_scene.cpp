@@ -15,6 +15,11 @@ CameraSpec read_camera(TableReader table) {
   camera.up = table.vector("up", "", camera.up);
   camera.field_of_view =
       table.number("field_of_view", Range::between(1, 120, "degrees"), camera.field_of_view);
+  if (const auto height = table.optional_number("view_height", Range::positive("m"))) {
+    camera.view_height = *height;
+    if (table.has("field_of_view"))
+      table.refuse_value("view_height", "is for parallel rays, which have no field_of_view; give only one");
+  }
   table.finish();
 
   const Vec3 view = camera.target - camera.eye;
@@ -29,10 +34,8 @@ CameraSpec read_camera(TableReader table) {
 }  // namespace
 
 SceneSpec read_scene(TableReader table, const TimeSpec& time) {
-  constexpr int smallest = 16, largest = 8192;
-  // Where the renderer's frame buffers end.
-  constexpr int most_samples = 16384;
-  constexpr double most_samples_in_all = 1e8;
+  constexpr int smallest = 16, largest = 32768;
+  constexpr double most_pixels = 1.5e8;
   constexpr double most_frames = 1e5;
   // What an animated PNG can say of a frame's delay.
   constexpr double lowest_rate = 0.02, highest_rate = 1000;
@@ -44,18 +47,23 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time) {
       table.number("frame_rate", Range::between(lowest_rate, highest_rate, "1/s"), scene.frame_rate);
   scene.supersampling = table.whole("supersampling", 1, 4, scene.supersampling);
   scene.cable_radius = table.number("cable_radius", Range::at_least(0, "m"), scene.cable_radius);
-  if (table.has("camera")) scene.camera = read_camera(table.table("camera"));
+  if (table.is_text("camera")) {
+    scene.view = table.choice<View>("camera");
+  } else if (table.has("camera")) {
+    scene.camera = read_camera(table.table("camera"));
+  }
+  scene.theme = table.choice<SceneTheme>("theme", scene.theme);
+  scene.background = table.choice<SceneBackground>("background", scene.background);
+  scene.color_by = table.choice<ColorField>("color_by", scene.color_by);
+  scene.ghosts = table.whole("ghosts", 0, 50, scene.ghosts);
+  scene.ghost_interval = table.number("ghost_interval", Range::positive("s"), scene.ghost_interval);
+  scene.trail = table.optional_number("trail", Range::at_least(0, "s"));
   table.finish();
 
-  if (scene.supersampling * std::max(scene.size[0], scene.size[1]) > most_samples) {
-    table.refuse_value("size", fmt::format("times supersampling, {}, must be at most {} (samples)",
-                                           scene.supersampling, most_samples));
-  }
-  const double samples = 1.0 * scene.size[0] * scene.size[1] * scene.supersampling * scene.supersampling;
-  if (samples > most_samples_in_all) {
+  const double pixels = 1.0 * scene.size[0] * scene.size[1];
+  if (pixels > most_pixels) {
     table.refuse_value("size",
-                       fmt::format("times supersampling, {}, is {:.3g} samples; at most {:g} are allowed",
-                                   scene.supersampling, samples, most_samples_in_all));
+                       fmt::format("is {:.3g} pixels; at most {:g} are allowed", pixels, most_pixels));
   }
   if (scene.frame_rate * time.end > most_frames) {
     table.refuse_value(

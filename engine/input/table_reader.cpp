@@ -85,6 +85,11 @@ bool TableReader::has(std::string_view key) {
   return find(key) != nullptr;
 }
 
+bool TableReader::is_text(std::string_view key) {
+  const TomlValue* value = find(key);
+  return value != nullptr && value->kind == Kind::string;
+}
+
 void TableReader::miss(std::string_view key, std::string_view meaning) {
   if (!missing_key_.empty()) return;
   missing_key_ = key;

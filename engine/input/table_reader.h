@@ -73,6 +73,8 @@ class TableReader {
   TableReader table(std::string_view key);
   TableReader required_table(std::string_view key, std::string_view meaning);
   bool has(std::string_view key);
+  /// True for a string, where a key may be a word or something else.
+  bool is_text(std::string_view key);
   /// A list of tables; none where it is missing.
   std::vector<TableReader> tables(std::string_view key);
   /// A required list.

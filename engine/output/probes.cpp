@@ -4,6 +4,7 @@
 
 #include "engine/integrate/state_at.h"
 #include "engine/model/cable.h"
+#include "engine/output/cable_field.h"
 
 namespace plumb {
 namespace {
@@ -11,30 +12,25 @@ namespace {
 /// The values of one probe at one state, as many as it has columns.
 void read(const Cable& cable, const ProbeSpec& spec, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
           double values[3]) {
-  const CablePoint point = cable.at(q, spec.at);
-  const Element& element = cable.element();
   const auto vector = [&](const Vec3& x) {
     for (int k = 0; k < 3; ++k) values[k] = x[k];
   };
+  const auto scalar = [&](ColorField field) { values[0] = field_value(cable, field, q, v, spec.at); };
   switch (spec.quantity) {
     case Quantity::position:
-      return vector(point.position);
+      return vector(cable.at(q, spec.at).position);
     case Quantity::velocity:
       return vector(cable.interpolate(v, spec.at));
     case Quantity::slope:
-      return vector(point.slope);
+      return vector(cable.at(q, spec.at).slope);
     case Quantity::axial_strain:
-      values[0] = element.strain(point.slope);
-      return;
+      return scalar(ColorField::axial_strain);
     case Quantity::axial_force:
-      values[0] = element.axial_stiffness() * element.strain(point.slope);
-      return;
+      return scalar(ColorField::axial_force);
     case Quantity::curvature:
-      values[0] = element.curvature(point.slope, point.bend);
-      return;
+      return scalar(ColorField::curvature);
     case Quantity::bending_moment:
-      values[0] = element.bending_stiffness() * element.curvature(point.slope, point.bend);
-      return;
+      return scalar(ColorField::bending_moment);
   }
 }
 

@@ -5,6 +5,7 @@ uniform vec2 middle;
 uniform float radius;
 uniform float grid;
 uniform float line_width;
+uniform vec4 ink;
 in vec2 place;
 out vec4 color;
 // Coverage of lines at whole numbers; where they come closer than some widths, their mean.
@@ -18,6 +19,6 @@ float lines(vec2 at) {
 }
 void main() {
   float fade = 1.0 - smoothstep(0.35, 1.0, distance(place, middle) / radius);
-  float opacity = 0.6 * fade * max(0.35 * lines(place / grid), lines(place / (5.0 * grid)));
-  color = vec4(vec3(0.70, 0.735, 0.78) * opacity, opacity);
+  float opacity = ink.a * fade * max(0.35 * lines(place / grid), lines(place / (5.0 * grid)));
+  color = vec4(ink.rgb * opacity, opacity);
 }

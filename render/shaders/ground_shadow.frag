@@ -2,9 +2,10 @@
 uniform vec2 middle;
 uniform float radius;  // half the side of the square that the map covers
 uniform sampler2D shadow_map;
+uniform vec4 ink;
 in vec2 place;
 out vec4 color;
 void main() {
   vec2 texel = (place - middle) / radius * 0.5 + 0.5;
-  color = vec4(0.24, 0.28, 0.34, 0.5 * texture(shadow_map, texel).r);
+  color = vec4(ink.rgb, ink.a * texture(shadow_map, texel).r);
 }

@@ -518,16 +518,13 @@ TEST(CaseFaults, ABadFigureIsRefusedWithItsPlaceAndWhatIsAllowed) {
 TEST(CaseFaults, ABadSceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
   expect_refused({
       {"size = [640, 480]", "size = [640, 15]",
-       "case.toml:61:14: scene.size.1 = 15: must be a whole number from 16 to 8192"},
-      {"size = [640, 480]", "size = [8193, 480]",
-       "case.toml:61:9: scene.size.0 = 8193: must be a whole number from 16 to 8192"},
+       "case.toml:61:14: scene.size.1 = 15: must be a whole number from 16 to 32768"},
+      {"size = [640, 480]", "size = [32769, 480]",
+       "case.toml:61:9: scene.size.0 = 32769: must be a whole number from 16 to 32768"},
       {"size = [640, 480]", "size = [640.5, 480]",
-       "case.toml:61:9: scene.size.0 = 640.5: must be a whole number from 16 to 8192"},
+       "case.toml:61:9: scene.size.0 = 640.5: must be a whole number from 16 to 32768"},
       {"size = [640, 480]", "size = [640]",
        "case.toml:61:8: scene.size = [640]: must be a list of 2 numbers, found 1 of them"},
-      {"size = [640, 480]\nframe_rate = 10\nsupersampling = 2",
-       "size = [8192, 480]\nframe_rate = 10\nsupersampling = 3",
-       "case.toml:61:8: scene.size = [8192, 480]: times supersampling, 3, must be at most 16384 (samples)"},
       {"frame_rate = 10", "frame_rate = 0",
        "case.toml:62:14: scene.frame_rate = 0: must be a number from 0.02 to 1000 (1/s)"},
       {"frame_rate = 10", "frame_rate = 1e6",
@@ -536,10 +533,8 @@ TEST(CaseFaults, ABadSceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:62:14: scene.frame_rate = 10: gives 1.5e+05 frames until the end time, 15000 s; at most "
        "100000 "
        "are allowed; give a lower rate"},
-      {"size = [640, 480]", "size = [8000, 8000]",
-       "case.toml:61:8: scene.size = [8000, 8000]: times supersampling, 2, is 2.56e+08 samples; at most "
-       "1e+08 are "
-       "allowed"},
+      {"size = [640, 480]", "size = [20000, 20000]",
+       "case.toml:61:8: scene.size = [20000, 20000]: is 4e+08 pixels; at most 1.5e+08 are allowed"},
       {"supersampling = 2", "supersampling = 0",
        "case.toml:63:17: scene.supersampling = 0: must be a whole number from 1 to 4"},
       {"supersampling = 2", "supersampling = 5",
@@ -557,6 +552,44 @@ TEST(CaseFaults, ABadSceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:69:17: scene.camera.field_of_view = 121: must be a number from 1 to 120 (degrees)"},
       {"eye = [0, 0, 5]", "eye = [0, 0, inf]",
        "case.toml:66:14: scene.camera.eye.2 = inf: must be finite: a number (m)"},
+  });
+}
+
+TEST(CaseFaults, ABadLookOfASceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
+  const std::string camera =
+      "[scene.camera]\neye = [0, 0, 5]\ntarget = [0, 0, 0]\nup = [0, 1, 0]\nfield_of_view = 40";
+  const auto added = [](const std::string& line) { return "cable_radius = 0.01\n" + line; };
+  expect_refused({
+      {camera, "camera = \"frnt\"",
+       "case.toml:65:10: scene.camera = \"frnt\": must be \"fit\", \"front\", \"back\", \"left\", \"right\", "
+       "\"top\", \"bottom\", \"orbit\" or \"follow\"; did you mean \"front\"?"},
+      {camera, "camera = 5", "case.toml:65:10: scene.camera = 5: must be a table, found a whole number"},
+      {"field_of_view = 40", "view_height = 0",
+       "case.toml:69:15: scene.camera.view_height = 0: must be a number greater than 0 (m)"},
+      {"field_of_view = 40", "field_of_view = 40\nview_height = 2",
+       "case.toml:70:15: scene.camera.view_height = 2: is for parallel rays, which have no field_of_view; "
+       "give only one"},
+      {"cable_radius = 0.01", added("theme = \"drak\""),
+       "case.toml:65:9: scene.theme = \"drak\": must be \"light\" or \"dark\"; did you mean \"dark\"?"},
+      {"cable_radius = 0.01", added("background = true"),
+       "case.toml:65:14: scene.background = true: must be \"scene\", \"plain\" or \"transparent\", found "
+       "a boolean"},
+      {"cable_radius = 0.01", added("background = \"transparant\""),
+       "case.toml:65:14: scene.background = \"transparant\": must be \"scene\", \"plain\" or "
+       "\"transparent\"; did you mean \"transparent\"?"},
+      {"cable_radius = 0.01", added("color_by = \"axial_force\""),
+       "case.toml:65:12: scene.color_by = \"axial_force\": must be \"none\", \"axial-strain\", "
+       "\"axial-force\", \"curvature\", \"bending-moment\" or \"speed\"; did you mean \"axial-force\"?"},
+      {"cable_radius = 0.01", added("colour_by = \"speed\""),
+       "case.toml:65:1: scene.colour_by = \"speed\": unknown key; did you mean \"color_by\"?"},
+      {"cable_radius = 0.01", added("ghosts = 51"),
+       "case.toml:65:10: scene.ghosts = 51: must be a whole number from 0 to 50"},
+      {"cable_radius = 0.01", added("ghosts = -1"),
+       "case.toml:65:10: scene.ghosts = -1: must be a whole number from 0 to 50"},
+      {"cable_radius = 0.01", added("ghost_interval = 0"),
+       "case.toml:65:18: scene.ghost_interval = 0: must be a number greater than 0 (s)"},
+      {"cable_radius = 0.01", added("trail = -0.1"),
+       "case.toml:65:9: scene.trail = -0.1: must be a number of at least 0 (s)"},
   });
 }
 

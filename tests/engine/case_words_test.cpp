@@ -31,6 +31,10 @@ TEST(CaseWords, AreEachUsedOnce) {
   expect_unique<SlopeRates>();
   expect_unique<Quantity>();
   expect_unique<Norm>();
+  expect_unique<View>();
+  expect_unique<SceneTheme>();
+  expect_unique<SceneBackground>();
+  expect_unique<ColorField>();
 }
 
 TEST(ProbeColumns, OfAVectorAreThreeAndOfAScalarOne) {

@@ -133,6 +133,37 @@ TEST(LoadCase, EveryKeyOfTheSmallCaseIsTaken) {
   EXPECT_TRUE(loaded.remarks.empty());
 }
 
+TEST(LoadCase, TheLookOfASceneIsTaken) {
+  CaseSource source = small_case();
+  const std::string text = source.file.text;
+  source.file.text = text.substr(0, text.find("[scene.camera]")) +
+                     "camera = \"orbit\"\ntheme = \"dark\"\nbackground = \"transparent\"\n"
+                     "color_by = \"bending-moment\"\nghosts = 5\nghost_interval = 0.25\ntrail = 0\n";
+  const SceneSpec scene = load_case(source).spec.scene;
+  EXPECT_FALSE(scene.camera.has_value());
+  EXPECT_EQ(scene.view, View::orbit);
+  EXPECT_EQ(scene.theme, SceneTheme::dark);
+  EXPECT_EQ(scene.background, SceneBackground::transparent);
+  EXPECT_EQ(scene.color_by, ColorField::bending_moment);
+  EXPECT_EQ(scene.ghosts, 5);
+  EXPECT_EQ(scene.ghost_interval, 0.25);
+  EXPECT_EQ(scene.trail, 0.0);
+}
+
+TEST(LoadCase, ACameraOfParallelRaysIsTaken) {
+  CaseSource source = small_case();
+  source.file.text = with(source.file.text, "field_of_view = 40", "view_height = 2.5");
+  EXPECT_EQ(load_case(source).spec.scene.camera->view_height, 2.5);
+}
+
+TEST(LoadCase, ACameraIsReplacedByAWord) {
+  CaseSource source = small_case();
+  source.overrides = {"scene.camera=top"};
+  const SceneSpec scene = load_case(source).spec.scene;
+  EXPECT_EQ(scene.view, View::top);
+  EXPECT_FALSE(scene.camera.has_value());
+}
+
 TEST(LoadCase, WhatIsLeftOutHasItsDefault) {
   const Case spec = load_case(CaseSource{{"least.toml", R"(
 title = "Least"

@@ -42,6 +42,32 @@ TEST_F(BackendsTest, DrawTheSameFrames) {
   }
 }
 
+TEST_F(BackendsTest, DrawTheSameStyles) {
+  const Trajectory trajectory = swing();
+  Case spec;
+  spec.cable = {1, 2.5e-5, 320, 1.6e6, 5e-11, 4};
+  SceneInput input = swing_input();
+  input.cable = std::make_shared<Cable>(spec);
+  input.spec.size = {480, 270};
+  input.spec.theme = SceneTheme::dark;
+  input.spec.color_by = ColorField::curvature;
+  input.spec.ghosts = 3;
+  input.points.push_back({"points", {0, 0.5}, {{0.3, -0.2, 0.1}, {0.4, -0.1, 0.2}}, {}});
+  const GlContext osmesa({GlBackendKind::osmesa, -1});
+  const GlContext egl({GlBackendKind::egl, -1});
+  for (const View view : {View::orbit, View::follow, View::front})
+    for (const SceneBackground background : {SceneBackground::scene, SceneBackground::transparent}) {
+      input.spec.view = view;
+      input.spec.background = background;
+      osmesa.make_current();
+      const Image a = SceneRenderer(osmesa, trajectory, input).frame(20);
+      egl.make_current();
+      const Image b = SceneRenderer(egl, trajectory, input).frame(20);
+      EXPECT_EQ(a, b) << "view " << static_cast<int>(view) << ": " << differing_bytes(a, b)
+                      << " bytes differ";
+    }
+}
+
 TEST_F(BackendsTest, DrawTheSamePlots) {
   Plot plot;
   plot.title = "both";

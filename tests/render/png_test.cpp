@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+
 #include "engine/errors.h"
 #include "render/png_chunks.h"
 
@@ -23,6 +25,31 @@ TEST(Png, DecodesToWhatWasEncoded) {
         static_cast<std::size_t>(3 * image.width * image.height), rc::gen::arbitrary<std::uint8_t>());
     RC_ASSERT(decode_png(encode_png(image), "a.png") == image);
   }));
+}
+
+TEST(Png, OpacitiesAreKeptAndComposedOnWhite) {
+  const Image image{2, 2, {10, 20, 30, 200, 100, 0, 0, 0, 0, 255, 255, 0}, {255, 0, 128, 51}};
+  const std::string bytes = encode_png(image);
+  EXPECT_EQ(png_chunks(bytes, "a.png").front().data.substr(8, 2), std::string_view("\x08\x06", 2)) << "RGBA";
+  const Image composed = decode_png(bytes, "a.png");
+  EXPECT_TRUE(composed.alpha.empty());
+  // libpng mixes light, not sRGB numbers.
+  const auto expected = [](int color, int alpha) {
+    const double c = color / 255.0, share = alpha / 255.0;
+    const double linear = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    const double light = share * linear + (1 - share);
+    return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+  };
+  for (std::size_t pixel = 0; pixel < 4; ++pixel)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(composed.rgb[3 * pixel + c], expected(image.rgb[3 * pixel + c], image.alpha[pixel]), 2)
+          << pixel << ", " << c;
+}
+
+TEST(Png, OpacitiesThatAreNotAsManyAsPixelsAreRefused) {
+  Image image = pattern(3, 3);
+  image.alpha.resize(8);
+  EXPECT_THROW(encode_png(image), OutputError);
 }
 
 TEST(Png, SamePictureGivesTheSameBytes) {

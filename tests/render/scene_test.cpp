@@ -120,7 +120,7 @@ TEST_F(SceneTest, DefaultCameraSeesTheWholeMotion) {
 
 TEST_F(SceneTest, GivenCameraLooksAtItsTarget) {
   SceneInput input = small_input();
-  input.spec.camera = CameraSpec{{0, 0.5, 4}, {0.2, -0.1, 0}, {0, 1, 0}, 40};
+  input.spec.camera = CameraSpec{{0, 0.5, 4}, {0.2, -0.1, 0}, {0, 1, 0}, 40, 0};
   const SceneRenderer scene(context_, trajectory_, input);
   const Point middle = scene.pixel({0.2, -0.1, 0});
   EXPECT_NEAR(middle.x(), 160, 1e-6);
@@ -212,13 +212,6 @@ TEST_F(SceneTest, RunWithoutOutputsOrWithStatesOfTheWrongSizeIsRefused) {
   broken = trajectory_;
   broken.v.pop_back();
   EXPECT_THROW(SceneRenderer(context_, broken, small_input()), OutputError);
-}
-
-TEST_F(SceneTest, PictureBeyondTheLimitAfterSupersamplingIsRefused) {
-  SceneInput input = swing_input();
-  input.spec.size = {8192, 8192};
-  input.spec.supersampling = 4;
-  EXPECT_THROW(SceneRenderer(context_, trajectory_, input), OutputError);
 }
 
 TEST_F(SceneTest, CameraWithoutAViewIsRefused) {

@@ -43,7 +43,7 @@ TEST(ProgramFaults, EachEndsWithOneLineAndItsStatus) {
       {{"report", "/proc/1/root/nothing/run.h5"}, 3, "cannot be used"},
       {{"run", good, "--set", "figure.0.name=energy"}, 3, "is the name of the figure of energies"},
       {{"run", good, "--set", "scene.frame_rate=0.001"}, 3, "scene.frame_rate"},
-      {{"run", good, "--set", "scene.size=[8192,8192]"}, 3, "scene.size"},
+      {{"run", good, "--set", "scene.size=[20000,20000]"}, 3, "scene.size"},
       {{"run", good, "-o", "mine"}, 5, "it has no run.h5"},
       {{"run", good, "-o", "/proc"}, 5, "cannot be written"},
       {{"run", good, "-o", "to_nothing"}, 5, "it is a link to nothing"},
