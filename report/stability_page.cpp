@@ -227,8 +227,27 @@ std::string horizon_words(const Stability& study) {
   return fmt::format(
       "Comparing trajectories means something for {}; elsewhere throughout.{} Beyond the horizon energies "
       "and statistics are compared instead, as these do not depend on which of the neighbours a run follows: "
-      "the energy must stay as it is whatever the motion.",
+      "the energy must stay as it is whatever the motion, and means must agree as those of two neighbours "
+      "do.",
       early, why);
+}
+
+data statistics_rows(const Stability& study) {
+  data rows{data::type::list};
+  for (const MotionStatistics& one : study.statistics) {
+    data row;
+    row["value"] = fmt::format("{:g}", one.parameter);
+    row["label"] = one.step > 0 ? fmt::format("{}, step {:g} s", one.label, one.step) : one.label;
+    row["taken"] = one.taken;
+    row["height"] = fmt::format("{:.3f}", one.mean_height);
+    row["deviation"] = fmt::format("{:.3f}", one.height_deviation);
+    row["speed"] = fmt::format("{:.3f}", one.rms_speed);
+    row["energy"] = fmt::format("{:+.1e}", one.energy_change);
+    row["outcome"] = std::string(word(one.outcome));
+    row["duration"] = fmt::format("{:g}", one.duration);
+    rows.push_back(row);
+  }
+  return rows;
 }
 
 /// Points that did not complete, by method and outcome.
@@ -292,6 +311,8 @@ std::string section(const Stability& study, const std::vector<Picture>& pictures
   set_picture(values, "amplification_picture", pictures, amplification_figure_name);
   values["has_separations"] = !study.separations.empty();
   values["separations"] = separation_rows(study);
+  values["has_statistics"] = !study.statistics.empty();
+  values["statistics"] = statistics_rows(study);
   values["horizon_words"] = horizon_words(study);
   set_picture(values, "separation_picture", pictures, separation_figure_name);
   long failures = 0;

@@ -9,6 +9,7 @@
 #include "engine/study/critical_step.h"
 #include "engine/study/energy_histories.h"
 #include "engine/study/mode_amplification.h"
+#include "engine/study/motion_statistics.h"
 #include "engine/study/outcome_maps.h"
 #include "engine/study/parallel.h"
 #include "engine/study/predicted_limit.h"
@@ -45,6 +46,7 @@ class StabilityStudy {
       study.references.push_back(motion->summary);
       study.separations.push_back(motion->separation);
     }
+    study.statistics = motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit());
     study.provenance = provenance_now();
     return study;
   }

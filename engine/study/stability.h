@@ -116,6 +116,21 @@ struct StabilityReference {
   double frequency_at_worst = 0;  ///< the greatest along the motion, rad/s
 };
 
+/// What does not depend on which of the neighbours of a motion a run follows, over all of its outputs.
+struct MotionStatistics {
+  std::string label;  ///< method, "reference", or the neighbour
+  double parameter = 0;
+  double step = 0;  ///< s; 0: not a fixed one
+  Outcome outcome = Outcome::not_run;
+  std::string message = {};
+  double duration = 0;          ///< s
+  bool taken = false;           ///< false of a run that failed: none of the figures below
+  double mean_height = 0;       ///< of the last end, m
+  double height_deviation = 0;  ///< standard deviation of that height, m
+  double rms_speed = 0;         ///< of the last end, m/s
+  double energy_change = 0;     ///< total energy, last minus first, over the first kinetic energy
+};
+
 /// Where methods fail on one case.
 struct Stability {
   std::string title;
@@ -131,6 +146,7 @@ struct Stability {
   std::vector<ModeAmplification> amplifications;
   std::vector<Separation> separations;
   std::vector<StabilityReference> references;
+  std::vector<MotionStatistics> statistics;  ///< of motions beyond their horizon
   Provenance provenance;
 };
 

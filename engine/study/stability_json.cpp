@@ -97,6 +97,21 @@ void members(Archive& a, Separation& s) {
 }
 
 template <class Archive>
+void members(Archive& a, MotionStatistics& s) {
+  a("label", s.label);
+  a("parameter", s.parameter);
+  a("step", s.step);
+  a("outcome", s.outcome);
+  a("message", s.message);
+  a("duration", s.duration);
+  a("taken", s.taken);
+  a("mean_height", s.mean_height);
+  a("height_deviation", s.height_deviation);
+  a("rms_speed", s.rms_speed);
+  a("energy_change", s.energy_change);
+}
+
+template <class Archive>
 void members(Archive& a, StabilityReference& r) {
   a("parameter", r.parameter);
   a("elements", r.elements);
@@ -129,6 +144,7 @@ void members(Archive& a, Stability& s) {
   a("energies", s.energies);
   a("amplifications", s.amplifications);
   a("separations", s.separations);
+  a("statistics", s.statistics);
   a("references", s.references);
   a("provenance", s.provenance);
 }

@@ -49,6 +49,9 @@ class RandomStability {
     for (int k = whole() % 4; k > 0; --k)
       study.references.push_back(
           {number(), whole(), number(), text(), text(), number(), number(), number(), number()});
+    for (int k = whole() % 4; k > 0; --k)
+      study.statistics.push_back({text(), number(), number(), outcome(), text(), number(), whole() % 2 == 0,
+                                  number(), number(), number(), number()});
     study.provenance = {{text(), text()}};
     return study;
   }
