@@ -21,13 +21,6 @@ std::set<std::string> files_in(const fs::path& folder) {
   return names;
 }
 
-std::string bytes_of(const fs::path& path) {
-  FileText text = read_file_text(path.string());
-  if (!text.failure.empty())
-    throw InputError(one_line(fmt::format("{}: cannot be read: {}", path.string(), text.failure)));
-  return std::move(text.text);
-}
-
 bool is_folder(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error)) throw InputError(one_line(path + ": there is no such file or folder"));
@@ -46,7 +39,8 @@ std::vector<FileDifference> compare_folders(const fs::path& a, const fs::path& b
     else if (!first.contains(name))
       result.push_back({name, Sameness::only_second, -1, "only in " + b.string(), {}, {}, {}});
     else
-      result.push_back(compare_files(name, bytes_of(a / name), bytes_of(b / name), options));
+      result.push_back(compare_files(name, read_whole_file((a / name).string()),
+                                     read_whole_file((b / name).string()), options));
   }
   return result;
 }
@@ -63,7 +57,8 @@ std::vector<FileDifference> compare_paths(const std::string& a, const std::strin
   } catch (const fs::filesystem_error& error) {
     throw InputError(one_line(error.what()));
   }
-  FileDifference only = compare_files(fs::path(b).filename().string(), bytes_of(a), bytes_of(b), options);
+  FileDifference only =
+      compare_files(fs::path(b).filename().string(), read_whole_file(a), read_whole_file(b), options);
   if (only.sameness == Sameness::not_compared)
     throw InputError(one_line(fmt::format("{}: only PNG and CSV files and results.json can be compared", b)));
   return {only};

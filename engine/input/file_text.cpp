@@ -1,10 +1,15 @@
 #include "engine/input/file_text.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <system_error>
+
+#include "engine/errors.h"
+#include "engine/input/place.h"
 
 namespace plumb {
 
@@ -23,6 +28,13 @@ FileText read_file_text(const std::string& path) {
     if (text.size() + count > longest) return {"", "longer than 64 MiB"};
     text.append(part.data(), count);
   }
+}
+
+std::string read_whole_file(const std::string& path) {
+  FileText file = read_file_text(path);
+  if (!file.failure.empty())
+    throw InputError(one_line(fmt::format("{}: cannot be read: {}", path, file.failure)));
+  return std::move(file.text);
 }
 
 }  // namespace plumb

@@ -13,4 +13,7 @@ struct FileText {
 /// Reads a whole file. Files of more than 64 MiB are not read: no case is that long.
 FileText read_file_text(const std::string& path);
 
+/// The same where there must be one: throws InputError, "PATH: cannot be read: REASON".
+std::string read_whole_file(const std::string& path);
+
 }  // namespace plumb

@@ -110,13 +110,10 @@ ReferenceText texts_of(const CaseSource& source) {
 }  // namespace
 
 LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
-  const FileText file = read_file_text(path);
-  if (!file.failure.empty()) {
-    throw InputError(one_line(fmt::format("{}: cannot be read: {}", path, file.failure)));
-  }
+  const std::string text = read_whole_file(path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return read_case(
-      {path, file.text}, overrides,
+      {path, text}, overrides,
       [&](const std::string& name) { return read_file_text((folder / name).string()); }, Studies::read);
 }
 

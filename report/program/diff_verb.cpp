@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
 #include "engine/input/file_text.h"
-#include "engine/input/place.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/output_folder.h"
 #include "report/difference_page.h"
@@ -18,23 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of(const fs::path& path) {
-  const FileText text = read_file_text(path.string());
-  if (!text.failure.empty())
-    throw InputError(one_line(fmt::format("{}: cannot be read: {}", path.string(), text.failure)));
-  return text.text;
-}
-
 /// Puts B in the place of A; B stays.
 void accept(const fs::path& a, const fs::path& b) {
   if (!fs::is_directory(b)) {
-    write_file(a.string(), bytes_of(b));
+    write_file(a.string(), read_whole_file(b.string()));
     return;
   }
   OutputFolder folder(a.string());
   for (const auto& entry : fs::recursive_directory_iterator(b))
     if (entry.is_regular_file())
-      write_file(folder.file(entry.path().lexically_relative(b).generic_string()), bytes_of(entry.path()));
+      write_file(folder.file(entry.path().lexically_relative(b).generic_string()),
+                 read_whole_file(entry.path().string()));
   folder.commit();
 }
 

@@ -53,7 +53,7 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
-      video->add(read_file_text(folder.file(fmt::format("frames/{:04}.png", k))).text);
+      video->add(read_whole_file(folder.file(fmt::format("frames/{:04}.png", k))));
     video->finish();
     stages.end();
   }

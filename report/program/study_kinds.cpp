@@ -52,10 +52,7 @@ std::optional<NamedText> study_json_at(const std::string& path) {
   } else if (file.filename() != study_json_name) {
     return {};
   }
-  FileText text = read_file_text(file.string());
-  if (!text.failure.empty())
-    throw InputError(one_line(fmt::format("{}: cannot be read: {}", file.string(), text.failure)));
-  return NamedText{file.string(), std::move(text.text)};
+  return NamedText{file.string(), read_whole_file(file.string())};
 }
 
 const StudyKind& kind_of_study_json(const NamedText& json) {
