@@ -208,24 +208,13 @@ std::string to_page(const Results& results, const Pictures& pictures) {
   page["cost"] = cost_rows(results);
   page["formulation"] = fill_in(formulation_mustache, formulation);
   page["case_rows"] = case_rows(spec);
-  page["case_name"] = run.loaded.source.file.name;
-  page["case_text"] = run.loaded.source.file.text;
-  data overrides{data::type::list};
-  for (const std::string& override_text : run.loaded.source.overrides)
-    overrides.push_back(data{"override", override_text});
-  page["has_overrides"] = !run.loaded.source.overrides.empty();
-  page.set("overrides", overrides);
+  set_case_and_provenance(page, run.loaded.source, run.provenance, results.stages);
   page["has_study"] = results.study != nullptr;
   if (results.study) {
     page["script_policy"] = "; " + study_script_policy();
     page["study"] = study_section(results.study->result, pictures.study);
     page["scripts"] = study_scripts(results.study->result);
   }
-  page["provenance"] = pair_rows(run.provenance);
-  std::vector<std::pair<std::string, std::string>> stages;
-  for (const auto& [name, seconds] : results.stages.all())
-    stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pair_rows(stages);
   return fill_in(page_mustache, page);
 }
 

@@ -1,5 +1,7 @@
 #include "report/page_template.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "report/base64.h"
@@ -29,6 +31,20 @@ data pair_rows(const std::vector<std::pair<std::string, std::string>>& items) {
     rows.push_back(row);
   }
   return rows;
+}
+
+void set_case_and_provenance(data& page, const CaseSource& source, const Provenance& provenance,
+                             const Stages& stages) {
+  page["case_name"] = source.file.name;
+  page["case_text"] = source.file.text;
+  data overrides{data::type::list};
+  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
+  page["has_overrides"] = !source.overrides.empty();
+  page.set("overrides", overrides);
+  page["provenance"] = pair_rows(provenance);
+  std::vector<std::pair<std::string, std::string>> times;
+  for (const auto& [name, seconds] : stages.all()) times.emplace_back(name, fmt::format("{:.2f} s", seconds));
+  page["stages"] = pair_rows(times);
 }
 
 }  // namespace plumb

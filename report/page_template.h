@@ -6,6 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/input/case_source.h"
+#include "engine/output/provenance.h"
+#include "report/stages.h"
+
 /// What the pages are made with.
 namespace plumb {
 
@@ -17,5 +21,10 @@ std::string data_uri(const std::string& png);
 
 /// Rows of {{name}} and {{value}}.
 kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::string>>& items);
+
+/// Sets what the end of every report shows: the case's text and overrides, the provenance, and where the time
+/// went.
+void set_case_and_provenance(kainjow::mustache::data& page, const CaseSource& source,
+                             const Provenance& provenance, const Stages& stages);
 
 }  // namespace plumb

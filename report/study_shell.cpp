@@ -46,16 +46,7 @@ std::string study_shell(const StudyShell& shell, const std::vector<Verdict>& ver
   page["has_verdicts"] = !verdicts.empty();
   page["verdicts"] = verdict_html(verdicts);
   page["verdict_note"] = shell.verdict_note;
-  page["case_name"] = source.file.name;
-  page["case_text"] = source.file.text;
-  data overrides{data::type::list};
-  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
-  page["has_overrides"] = !source.overrides.empty();
-  page.set("overrides", overrides);
-  page["provenance"] = pair_rows(provenance);
-  std::vector<std::pair<std::string, std::string>> times;
-  for (const auto& [name, seconds] : stages.all()) times.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pair_rows(times);
+  set_case_and_provenance(page, source, provenance, stages);
   page["scripts"] = shell.scripts;
   return fill_in(study_page_mustache, page);
 }

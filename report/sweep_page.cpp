@@ -91,7 +91,6 @@ data trouble_rows(const Sweep& sweep, std::size_t& troubles) {
 
 std::string to_sweep_page(const SweepResults& results, const std::vector<Picture>& pictures) {
   const Sweep& sweep = results.sweep;
-  const CaseSource& source = sweep.loaded.source;
   data page;
   page["title"] = sweep.loaded.spec.title;
   page["css"] = std::string(page_css) + std::string(study_css);
@@ -122,17 +121,7 @@ std::string to_sweep_page(const SweepResults& results, const std::vector<Picture
   }
   page.set("figures", figures);
   page["verdicts"] = verdict_html(results.verdicts);
-  page["case_name"] = source.file.name;
-  page["case_text"] = source.file.text;
-  data overrides{data::type::list};
-  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
-  page["has_overrides"] = !source.overrides.empty();
-  page.set("overrides", overrides);
-  page["provenance"] = pair_rows(sweep.provenance);
-  std::vector<std::pair<std::string, std::string>> stages;
-  for (const auto& [name, seconds] : results.stages.all())
-    stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pair_rows(stages);
+  set_case_and_provenance(page, sweep.loaded.source, sweep.provenance, results.stages);
   return fill_in(sweep_page_mustache, page);
 }
 

@@ -66,7 +66,6 @@ data figure_row(const VariantResult& variant, const ExpectationFound& figure) {
 
 std::string to_variants_page(const VariantsResults& results, const std::vector<Picture>& pictures) {
   const Variants& study = results.study.result;
-  const CaseSource& source = results.study.loaded.source;
   data page;
   page["title"] = study.title;
   page["css"] = std::string(page_css) + std::string(study_css);
@@ -95,17 +94,7 @@ std::string to_variants_page(const VariantsResults& results, const std::vector<P
   }
   page["has_pictures"] = !pictures.empty();
   page.set("pictures", drawn);
-  page["case_name"] = source.file.name;
-  page["case_text"] = source.file.text;
-  data overrides{data::type::list};
-  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
-  page["has_overrides"] = !source.overrides.empty();
-  page.set("overrides", overrides);
-  page["provenance"] = pair_rows(study.provenance);
-  std::vector<std::pair<std::string, std::string>> stages;
-  for (const auto& [name, seconds] : results.stages.all())
-    stages.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pair_rows(stages);
+  set_case_and_provenance(page, results.study.loaded.source, study.provenance, results.stages);
   return fill_in(variants_page_mustache, page);
 }
 
