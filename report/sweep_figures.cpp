@@ -79,8 +79,7 @@ std::vector<Figure> sweep_figures(const Sweep& sweep) {
 
 std::vector<Picture> draw_sweep(const Sweep& sweep, OutputFolder& folder) {
   const GlContext context;
-  return draw_figures(sweep_figures(sweep), context,
-                      {{"Software", "Plumb"}, {"Title", sweep.loaded.spec.title}}, folder);
+  return draw_figures(sweep_figures(sweep), context, picture_texts(context, sweep.loaded.spec.title), folder);
 }
 
 }  // namespace plumb

@@ -34,9 +34,8 @@ ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Sta
   write_file(folder.file(study_json_name), encode_variants(study));
   stages.begin("figures");
   const GlContext context;
-  const std::vector<Picture> pictures =
-      draw_figures(variants_figures(study.result), context,
-                   {{"Software", "Plumb"}, {"Title", study.result.title}}, folder);
+  const std::vector<Picture> pictures = draw_figures(variants_figures(study.result), context,
+                                                     picture_texts(context, study.result.title), folder);
   stages.end();
   const VariantsResults results = evaluate_variants(study, stages);
   stages.begin("report");

@@ -1,6 +1,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include "render/png.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -30,6 +31,8 @@ TEST(StabilityProgram, StudyMakesItsFolderAndSaysTheSteps) {
   for (const char* file : {"study.json", "index.html", "results.json", "junit.xml", "summary.md",
                            "figures/stability_parameter.png", "figures/stability_rk4.png"})
     EXPECT_TRUE(fs::exists(folder / "output/pendulum_stability" / file)) << file;
+  EXPECT_TRUE(text_in_png(read_text(folder / "output/pendulum_stability/figures/stability_rk4.png"),
+                          renderer_keyword, "figure"));
   EXPECT_NE(ended.out.find("rk4: accurate up to a step of"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("critical step: rk4, f = 5, 2 elements"), std::string::npos) << ended.out;
 }

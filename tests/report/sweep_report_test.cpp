@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/study/run_sweep.h"
+#include "render/png.h"
 #include "tests/engine/tiny_sweep.h"
 #include "tests/report/program.h"
 
@@ -145,6 +146,8 @@ TEST(SweepProgram, StudyMakesItsFolderAndReportSaysTheSameAgain) {
   for (const char* name :
        {"index.html", "results.json", "junit.xml", "summary.md", "study.json", "figures/sweep_outcomes.png"})
     EXPECT_TRUE(fs::exists(folder / "output/random_sweep_sweep" / name)) << name;
+  EXPECT_TRUE(text_in_png(read_text(folder / "output/random_sweep_sweep/figures/sweep_outcomes.png"),
+                          renderer_keyword, "figure"));
   EXPECT_NE(ended.err.find("24 random cases: none"), std::string::npos) << ended.err;
   Json first = Json::parse(ended.out);
   const Ended again = plumb_in(folder.path(), {"report", "output/random_sweep_sweep", "-o", "b", "--json"});

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "render/png.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -49,6 +50,8 @@ TEST(VariantsProgram, AFailureThatIsExpectedEndsWithZero) {
   for (const char* file : {"index.html", "study.json", "results.json", "junit.xml", "summary.md",
                            "figures/variants_energy.png", "figures/variants_probe.png"})
     EXPECT_TRUE(fs::exists(folder / "output/a_variants" / file)) << file;
+  EXPECT_TRUE(text_in_png(read_text(folder / "output/a_variants/figures/variants_energy.png"),
+                          renderer_keyword, "figure"));
 }
 
 TEST(VariantsProgram, OneThatDoesNotFailAsExpectedEndsWithOne) {
