@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/input/laboratory_specs.h"
+#include "engine/input/report_specs.h"
 #include "engine/input/scene_spec.h"
 
 namespace plumb {
@@ -206,6 +207,9 @@ struct Case {
   std::optional<StabilitySpec> stability;
   std::vector<VariantSpec> variants;
   std::optional<SweepSpec> sweep;
+  std::vector<GivenRunSpec> given_runs;
+  std::optional<UncertaintySpec> uncertainty;
+  std::optional<BudgetSpec> error_budget;
 
   friend bool operator==(const Case&, const Case&) = default;
 };

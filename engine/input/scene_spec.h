@@ -57,6 +57,9 @@ struct SceneSpec {
   ColorField color_by = ColorField::none;
   int ghosts = 0;               ///< earlier times shown, faded, 0 to 50
   double ghost_interval = 0.1;  ///< between them, s, > 0
+  /// Greatest distance on the picture between the drawn centre line and the true one, pixels, > 0; what a
+  /// model is chosen by that costs no more than the scene needs.
+  double tolerance = 0.5;
   std::optional<double> trail;  ///< how long the tip's trail is seen, s, ≥ 0; default: 32 frames
 
   friend bool operator==(const SceneSpec&, const SceneSpec&) = default;

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumb {
+
+/// [[run]]: a trajectory that another program computed, reported on as one of Plumb's own.
+struct GivenRunSpec {
+  std::string name;                            ///< unique; default: the file's name without its ending
+  std::string file;                            ///< CSV with a header, or HDF5; relative to the case file
+  std::string program;                         ///< what computed it, with its version; may be empty
+  std::map<std::string, std::string> columns;  ///< "t" or a column of the probes -> the file's name for it
+  std::map<std::string, std::string> units;    ///< "t" or a column of the probes -> its unit in the file
+
+  friend bool operator==(const GivenRunSpec&, const GivenRunSpec&) = default;
+};
+
+/// How an uncertain input is distributed about the value that the case gives.
+enum class Distribution { uniform, normal };
+
+/// [[uncertainty.input]]: a number of the case that is known only so well.
+struct UncertainInput {
+  std::string key;  ///< "cable.youngs_modulus", or "loads.gravity[1]" for an entry of a list
+  Distribution distribution = Distribution::normal;
+  double spread = 0;      ///< standard deviation of a normal, half width of a uniform distribution, > 0
+  bool relative = false;  ///< `spread` is a share of the value
+  std::string source;     ///< where the spread is from, required
+
+  friend bool operator==(const UncertainInput&, const UncertainInput&) = default;
+};
+
+/// [uncertainty]: the parts of the validation uncertainty that are estimated (ASME V&V 20).
+struct UncertaintySpec {
+  bool numerical = false;  ///< by Richardson extrapolation over meshes of half and a quarter of the elements
+  int samples = 0;         ///< of the inputs; 0: not estimated
+  long seed = 1;           ///< ≥ 0
+  std::vector<UncertainInput> inputs;
+
+  friend bool operator==(const UncertaintySpec&, const UncertaintySpec&) = default;
+};
+
+/// [[error_budget.item]]: one thing in which a published computation differs from the exact one.
+struct BudgetItemSpec {
+  std::string name;                    ///< unique: "time integration"
+  std::vector<std::string> overrides;  ///< "method.name=rk4", as --set takes them
+  std::string reason;                  ///< may be empty
+
+  friend bool operator==(const BudgetItemSpec&, const BudgetItemSpec&) = default;
+};
+
+/// [error_budget]: what each item alone moves the series of a reference by, and all of them together.
+struct BudgetSpec {
+  std::string reference;               ///< name of a [[reference]]
+  std::vector<std::string> overrides;  ///< that make the case the published computation
+  std::vector<BudgetItemSpec> items;
+
+  friend bool operator==(const BudgetSpec&, const BudgetSpec&) = default;
+};
+
+}  // namespace plumb
