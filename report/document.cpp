@@ -2,6 +2,7 @@
 
 #include "engine/integrate/method_info.h"
 #include "report/case_json.h"
+#include "report/panels_json.h"
 #include "report/study_json.h"
 
 namespace plumb {
@@ -65,8 +66,11 @@ Json energy_json(const Trajectory& trajectory) {
 Json picture_json(const std::vector<Picture>& pictures) {
   Json json = Json::array();
   for (const Picture& picture : pictures)
-    json.push_back(
-        {{"file", picture.file}, {"title", picture.title}, {"alt", picture.alt}, {"tall", picture.tall}});
+    json.push_back({{"file", picture.file},
+                    {"title", picture.title},
+                    {"alt", picture.alt},
+                    {"tall", picture.tall},
+                    {"panels", panels_json(picture.plot, picture.times)}});
   return json;
 }
 

@@ -114,6 +114,11 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   }
 
   Figure figure;
+  figure.times.push_back({spec.x == "t", {}});
+  if (spec.x != "t") {
+    figure.times.back().of_points.push_back(run.probes.times);
+    if (!compared.empty()) figure.times.back().of_points.push_back(of_y->times);
+  }
   figure.name = spec.name;
   figure.title = title_of(run, spec.title.empty() ? spec.name : spec.title);
   figure.alt = alt_text(spec, compared);
@@ -124,6 +129,7 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   figure.plot.panels.push_back(std::move(panel));
   if (!compared.empty()) {
     figure.plot.panels.push_back(difference_panel(compared));
+    figure.times.push_back({true, {}});
     mark_ending(run, figure.plot.panels.back());
   }
   return figure;
@@ -168,6 +174,7 @@ Figure energy_figure(const Run& run) {
   mark_ending(run, energies);
   mark_ending(run, drift);
   figure.plot.panels = {std::move(energies), std::move(drift)};
+  figure.times = {{true, {}}, {true, {}}};
   return figure;
 }
 

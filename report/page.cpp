@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include "engine/integrate/method_info.h"
+#include "report/conclusion.h"
+#include "report/page_scripts.h"
 #include "report/page_tables.h"
 #include "report/page_template.h"
+#include "report/reproduce.h"
 #include "report/study_json.h"
 #include "report/study_page.h"
-#include "report/verdict_html.h"
+#include "report/verdict_groups.h"
 
 namespace plumb {
 
@@ -73,8 +76,12 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["css"] = std::string(page_css) + (document.contains("work_precision") ? std::string(study_css) : "");
   page["dynamic"] = dynamic;
   page["title"] = text("title");
-  page["headline"] = text("headline");
-  page["good"] = document.at("all_criteria_met").get<bool>();
+  const Conclusion conclusion = conclusion_of(document);
+  page["good"] = conclusion.good;
+  page["sentence"] = conclusion.sentence;
+  page["trouble"] = conclusion.trouble;
+  page["help"] = conclusion.help;
+  page["has_help"] = !conclusion.help.empty();
   page["solved"] = solved;
   page["ended_early"] =
       solved ? std::string()
@@ -82,12 +89,13 @@ std::string to_page(const Document& document, const Pictures& pictures) {
                    "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
                    "shown is how it failed, no result of the case.",
                    solve.at("end_time").get<double>(), the_case.at("time").at("end").get<double>(), outcome);
-  page["message"] = solve.at("message").get<std::string>();
   page["outcome"] = outcome;
+  page["outcome_of_all"] = text("outcome");
   page["has_verdicts"] = !verdicts.empty();
-  page["verdicts"] = verdict_html(verdicts);
+  page["verdicts"] = verdict_groups(verdicts, command_of(document));
   page["has_errors"] = !document.at("errors").empty();
   page["errors"] = error_rows(document);
+  page["has_references"] = !document.at("references").empty();
   page["references"] = reference_rows(document);
   page.set("figures", figure_rows(pictures.figures));
   page["animation"] = data_uri(pictures.page_animation);
@@ -107,10 +115,10 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["has_study"] = document.contains("work_precision");
   if (document.contains("work_precision")) {
     const WorkPrecision study = work_precision_from_json(document.at("work_precision"));
-    page["script_policy"] = "; " + study_script_policy();
     page["study"] = study_section(study, pictures.study);
-    page["scripts"] = study_scripts(study);
   }
+  page["script_policy"] = "; " + page_script_policy(document);
+  page["scripts"] = page_scripts(document);
   return fill_in(page_mustache, page);
 }
 

@@ -52,8 +52,13 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
+    Picture picture{fmt::format("figures/{}.png", figure.name),
+                    figure.title,
+                    figure.alt,
+                    figure.plot.height > figure.plot.width,
+                    encode_png(plots.draw(figure.plot), texts),
+                    figure.plot,
+                    figure.times};
     write_file(folder.file(picture.file), picture.png);
     write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), to_csv(figure.plot));
     pictures.push_back(std::move(picture));

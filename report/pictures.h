@@ -21,6 +21,8 @@ struct Picture {
   std::string alt;
   bool tall = false;  ///< higher than wide
   std::string png;
+  Plot plot = {};                      ///< what was drawn; of a picture read from a file, nothing
+  std::vector<PanelTimes> times = {};  ///< as in Figure
 };
 
 /// What was drawn of a run, as the page needs it.
