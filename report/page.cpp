@@ -102,7 +102,7 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["still"] = data_uri(pictures.page_still);
   page["animation_width"] = std::to_string(pictures.page_animation_width);
   page["animation_height"] = std::to_string(pictures.page_animation_height);
-  page["frames"] = std::to_string(pictures.frames);
+  page["frames"] = counted(pictures.frames, "frame", "frames");
   page["frame_rate"] = number(pictures.frame_rate);
   page["end_time"] = number(solve.at("end_time"));
   page["first_kinetic"] = energy.at("kinetic").empty() ? "not run" : number(energy.at("kinetic").front());

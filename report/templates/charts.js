@@ -17,6 +17,7 @@
 
   const known = (value) => value !== null && value !== undefined;
   const exact = (value) => (known(value) ? String(value).replace("-", "−") : "not finite");
+  const short = (value) => String(Number(value.toPrecision(4))).replace(/-/g, "−");
   const nearest = (values, value) => {
     let best = -1;
     values.forEach((v, k) => {
@@ -96,12 +97,14 @@
           color: (context) => (zeroLine && context.tick && context.tick.value === 0 ? color("--soft") : color("--line")),
           borderColor: color("--soft"),
         },
-        ticks: { color: color("--ink"), font, maxRotation: 0, autoSkipPadding: 16 },
+        ticks: { color: color("--ink"), font, maxRotation: 0, autoSkipPadding: 16, includeBounds: false, callback: short },
         title: { display: true, text: label, color: color("--ink"), font },
       });
       const x = axis(this.panel.x, this.panel.x.zero_line);
       const y = axis(this.panel.y, this.panel.y.zero_line);
       y.afterFit = (scale) => { scale.width = axisWidth; };
+      // Panels above each other begin and end alike, however long their labels are.
+      x.afterFit = (scale) => { scale.paddingLeft = scale.paddingRight = 0; };
       if (this.panel.over_time && !this.panel.x.range) [x.min, x.max] = [0, clock.end];
       if (this.panel.shares_x_below) {
         x.title.display = false;
@@ -113,7 +116,7 @@
         responsive: true,
         maintainAspectRatio: false,
         events: [],
-        layout: { padding: { right: 12, top: 6 } },
+        layout: { padding: { right: 20, top: 6 } },
         onResize: () => requestAnimationFrame(() => this.equalize()),
         scales: { x, y },
         plugins: { legend: { display: false }, tooltip: { enabled: false } },
@@ -129,12 +132,11 @@
       };
       const x = span((series) => series.x), y = span((series) => series.y);
       const { width, height } = this.chart.chartArea;
-      const unit = 1.06 * Math.max((x[1] - x[0]) / width, (y[1] - y[0]) / height) || 1;
+      const unit = 1.06 * Math.max((x[1] - x[0]) / width, (y[1] - y[0]) / height) || 2 / Math.min(width, height);
       const around = ([lo, hi], length) => [(lo + hi - unit * length) / 2, (lo + hi + unit * length) / 2];
       const { scales } = this.chart.options;
       [scales.x.min, scales.x.max] = around(x, width);
       [scales.y.min, scales.y.max] = around(y, height);
-      for (const scale of [scales.x, scales.y]) scale.ticks.includeBounds = false;
       this.chart.update("none");
     }
 
