@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "engine/input/scene_spec.h"
+#include "render/color.h"
+
+namespace plumb {
+
+/// The colours of a plot.
+struct PlotTheme {
+  Color paper;
+  Color ink;
+  Color major_grid;
+  Color minor_grid;
+  Color zero;      ///< of a line at 0
+  Color rule;      ///< of rules that have no colour of their own
+  Color rule_ink;  ///< of their labels
+  std::array<Color, palette.size()> series;
+};
+
+const PlotTheme& plot_theme(SceneTheme);
+
+/// Contrast of two opaque colours, 1 to 21: the ratio of relative luminances of the W3C's Web Content
+/// Accessibility Guidelines 2.1, which ask for 4.5 of text and 3 of graphics.
+double contrast(Color a, Color b);
+
+/// A colour that has at least the given contrast to the paper of a theme: the one given, or it mixed with as
+/// much ink as is needed. Its opacity stays.
+Color seen_on(const PlotTheme& theme, Color color, double least_contrast = 3);
+
+}  // namespace plumb
