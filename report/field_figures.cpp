@@ -10,7 +10,7 @@
 #include "engine/output/field_envelope.h"
 #include "engine/output/field_map.h"
 #include "report/ending_mark.h"
-#include "report/unit_markup.h"
+#include "report/number_markup.h"
 
 namespace plumb {
 namespace {

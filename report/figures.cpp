@@ -7,12 +7,15 @@
 #include "render/markup.h"
 #include "report/ending_mark.h"
 #include "report/field_figures.h"
-#include "report/unit_markup.h"
+#include "report/number_markup.h"
 
 namespace plumb {
 namespace {
 
 constexpr double difference_share = 0.4;  // height of the lower panel against 1
+
+// Half of a band, of the greatest difference: a narrower one could not be told from a line.
+constexpr double least_seen = 0.02;
 
 /// Values and unit of a column, or of time.
 struct Data {
@@ -68,17 +71,20 @@ Extent uncertainty_of(const Run& run, const SeriesError& error) {
   return extent;
 }
 
-/// How far off the reference itself may be, about the line of no difference: once for all that agree.
+/// How far off the reference itself may be, about the line of no difference: once for all that agree,
+/// and where it can be seen.
 void add_uncertainties(const Run& run, const std::vector<const SeriesError*>& errors, Panel& panel) {
   for (const SeriesError* error : errors) {
     const double half = reference_of(run, *error).uncertainty;
+    if (!(half > least_seen * error->max)) continue;
     const bool known = std::any_of(panel.rules.begin(), panel.rules.end(),
                                    [&](const Rule& rule) { return rule.to == half; });
     if (known) continue;
     Rule band;
     band.from = -half;
     band.to = half;
-    band.label = fmt::format("uncertainty of the reference: ±{:.2g} {}", half, unit_markup(error->unit));
+    band.label =
+        fmt::format("uncertainty of the reference: ±{} {}", number_markup(half), unit_markup(error->unit));
     panel.rules.push_back(std::move(band));
   }
 }

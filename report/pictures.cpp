@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <future>
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
@@ -48,16 +50,33 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
 
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
                                   const PngTexts& texts, OutputFolder& folder) {
+  // Encoded and written as numbers beside the drawing of the next.
+  struct Files {
+    std::string png;
+    std::string csv;
+  };
+  constexpr std::size_t waiting = 2;
   std::vector<Picture> pictures;
+  std::deque<std::future<Files>> encoding;
+  const auto take_first = [&] {
+    const Figure& figure = figures[pictures.size()];
+    Files files = encoding.front().get();
+    encoding.pop_front();
+    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
+                    figure.plot.height > figure.plot.width, std::move(files.png)};
+    write_file(folder.file(picture.file), picture.png);
+    write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), files.csv);
+    pictures.push_back(std::move(picture));
+  };
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
-    write_file(folder.file(picture.file), picture.png);
-    write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), to_csv(figure.plot));
-    pictures.push_back(std::move(picture));
+    encoding.push_back(std::async(std::launch::async, [image = plots.draw(figure.plot), &figure, &texts] {
+      return Files{encode_png(image, texts), to_csv(figure.plot)};
+    }));
+    if (encoding.size() > waiting) take_first();
   }
+  while (!encoding.empty()) take_first();
   return pictures;
 }
 

@@ -9,7 +9,7 @@
 namespace plumb {
 namespace {
 
-constexpr int most_in_element = 10, enough_in_all = 400;
+constexpr int most_in_element = 33, enough_in_all = 500;
 
 // Just inside of an element, so that rounding does not take its end for the start of the next.
 constexpr double inset = 1e-9;

@@ -23,7 +23,7 @@ struct FieldEnvelope {
 };
 
 /// Over the outputs of a trajectory of this cable whose states are finite. Each element has places enough for
-/// a smooth curve: ten or, on fine meshes, fewer, but at least its two ends.
+/// a smooth curve: up to 33 or, on fine meshes, fewer, but at least its two ends.
 FieldEnvelope field_envelope(const Cable& cable, ColorField field, const Trajectory& trajectory);
 
 }  // namespace plumb

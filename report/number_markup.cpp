@@ -1,8 +1,9 @@
-#include "report/unit_markup.h"
+#include "report/number_markup.h"
 
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 
 #include "render/markup.h"
 
@@ -21,6 +22,13 @@ std::string unit_markup(std::string_view unit) {
   if (letters == 0 || !plain) return literal(unit);
   return fmt::format("{}{}^{{-{}}}", above == "1" ? "" : literal(above) + " ", below.substr(0, letters),
                      power.empty() ? "1" : power);
+}
+
+std::string number_markup(double value) {
+  if (value == 0 || !std::isfinite(value)) return fmt::format("{:.2g}", value);
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  if (power >= -2 && power < 4) return fmt::format("{:.2g}", value);
+  return fmt::format("{:.1f}·10^{{{}}}", value / std::pow(10.0, power), power);
 }
 
 }  // namespace plumb
