@@ -25,13 +25,13 @@ double contrast(Color a, Color b) {
   return (light + 0.05) / (dark + 0.05);
 }
 
-Color seen_on(const PlotTheme& theme, Color color, double least_contrast) {
+Color seen_on(const PlotTheme& theme, Color color) {
   constexpr int steps = 64;
   for (int k = 0; k <= steps; ++k) {
     const float ink = static_cast<float>(k) / steps, own = 1 - ink;
     const Color mixed{own * color.r + ink * theme.ink.r, own * color.g + ink * theme.ink.g,
                       own * color.b + ink * theme.ink.b, color.a};
-    if (contrast(mixed, theme.paper) >= least_contrast) return mixed;
+    if (contrast(mixed, theme.paper) >= theme.least_contrast) return mixed;
   }
   return {theme.ink.r, theme.ink.g, theme.ink.b, color.a};
 }
@@ -44,7 +44,8 @@ const PlotTheme& plot_theme(SceneTheme word) {
                                                .zero = Color::hex(0x8C8C8C),
                                                .rule = Color::hex(0x8C8C8C),
                                                .rule_ink = Color::hex(0x555555),
-                                               .series = {}});
+                                               .series = {},
+                                               .least_contrast = 3});
   static const PlotTheme dark = with_palette({.paper = Color::hex(0x14181E),
                                               .ink = Color::hex(0xE8ECF1),
                                               .major_grid = Color::hex(0x363D47),
@@ -52,7 +53,8 @@ const PlotTheme& plot_theme(SceneTheme word) {
                                               .zero = Color::hex(0x7C8693),
                                               .rule = Color::hex(0x8C96A3),
                                               .rule_ink = Color::hex(0xB4BDC8),
-                                              .series = {}});
+                                              .series = {},
+                                              .least_contrast = 4.5});
   return word == SceneTheme::light ? light : dark;
 }
 

@@ -17,6 +17,7 @@ struct PlotTheme {
   Color rule;      ///< of rules that have no colour of their own
   Color rule_ink;  ///< of their labels
   std::array<Color, palette.size()> series;
+  double least_contrast;  ///< of series; more on dark paper, where the same ratio looks dimmer
 };
 
 const PlotTheme& plot_theme(SceneTheme);
@@ -25,8 +26,8 @@ const PlotTheme& plot_theme(SceneTheme);
 /// Accessibility Guidelines 2.1, which ask for 4.5 of text and 3 of graphics.
 double contrast(Color a, Color b);
 
-/// A colour that has at least the given contrast to the paper of a theme: the one given, or it mixed with as
-/// much ink as is needed. Its opacity stays.
-Color seen_on(const PlotTheme& theme, Color color, double least_contrast = 3);
+/// A colour that has at least the theme's contrast to its paper: the one given, or it mixed with as much ink
+/// as is needed. Its opacity stays.
+Color seen_on(const PlotTheme& theme, Color color);
 
 }  // namespace plumb

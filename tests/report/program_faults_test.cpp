@@ -42,6 +42,7 @@ TEST(ProgramFaults, EachEndsWithOneLineAndItsStatus) {
       {{"report", "not_a_run.h5\nsecond line"}, 3, "cannot be used"},
       {{"report", "/proc/1/root/nothing/run.h5"}, 3, "cannot be used"},
       {{"run", good, "--set", "figure.0.name=energy"}, 3, "is the name of a figure that every run has"},
+      {{"run", good, "--set", "figure.0.name=strain_map"}, 3, "is the name of a figure that every run has"},
       {{"run", good, "--set", "scene.frame_rate=0.001"}, 3, "scene.frame_rate"},
       {{"run", good, "--set", "scene.size=[20000,20000]"}, 3, "scene.size"},
       {{"run", good, "-o", "mine"}, 5, "it has no run.h5"},
