@@ -15,6 +15,7 @@
 #include "render/color_map.h"
 #include "render/frame_texts.h"
 #include "render/ground.h"
+#include "render/markup.h"
 #include "render/painter.h"
 #include "render/shaders.h"
 #include "render/stage.h"
@@ -222,7 +223,7 @@ class SceneRenderer::Drawing {
   Color trail_color(std::size_t k) const { return strands_.size() == 1 ? theme_.trail : color_of(k); }
 
   void make_labels() {
-    texts_.title = input_.title;
+    texts_.title = literal(input_.title);
     texts_.ink = theme_.ink;
     texts_.quiet_ink = theme_.quiet_ink;
     const bool colored = spec().color_by != ColorField::none;

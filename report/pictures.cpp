@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <future>
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
@@ -48,13 +50,25 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
 
 std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
                                    const PngTexts& texts) {
+  // Each is encoded beside the drawing of the next.
+  constexpr std::size_t waiting = 2;
   std::vector<Picture> pictures;
+  std::deque<std::future<std::string>> encoding;
+  const auto take_first = [&] {
+    const Figure& figure = figures[pictures.size()];
+    pictures.push_back({fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
+                        figure.plot.height > figure.plot.width, encoding.front().get()});
+    encoding.pop_front();
+  };
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    pictures.push_back({fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                        figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)});
+    encoding.push_back(std::async(std::launch::async, [image = plots.draw(figure.plot), &texts] {
+      return encode_png(image, texts);
+    }));
+    if (encoding.size() > waiting) take_first();
   }
+  while (!encoding.empty()) take_first();
   return pictures;
 }
 
