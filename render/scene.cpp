@@ -104,7 +104,7 @@ class SceneRenderer::Drawing {
         strands_(make_strands(trajectory)),
         tiles_(tiles_of(width_, height_, largest_tile > 0 ? largest_tile : tile_limit(context, input.spec))),
         canvas_(context, tiles_.front().width, tiles_.front().height, input.spec.supersampling),
-        stage_(make_stage(places(), input.length, main().radius(), input.gravity)),
+        stage_(make_stage(places(), input.length, main().radius(), input.gravity, is_side_by_side())),
         painter_(context),
         background_(context, fullscreen_vert, background_frag),
         ground_(context, stage_, main().radius(), input.length, canvas_.layer_scale(), theme_.grid,
@@ -193,6 +193,11 @@ class SceneRenderer::Drawing {
          input_.cable});
     for (const SceneRun& run : input_.others) add(run);
     return strands;
+  }
+
+  bool is_side_by_side() const {
+    return std::any_of(input_.others.begin(), input_.others.end(),
+                       [](const SceneRun& run) { return !run.offset.isZero(); });
   }
 
   // All that is to be seen.

@@ -1,11 +1,13 @@
 #include "report/program/drawing_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <limits>
 
 #include "engine/errors.h"
+#include "report/program/work.h"
 
 namespace plumb {
 namespace {
@@ -47,6 +49,20 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
   }
   if (!options.camera.empty()) source.overrides.push_back("scene.camera=" + options.camera);
   return load_case(source);
+}
+
+SceneInput asked_scene(const Run& run, const Options& options, std::vector<OtherRun>& others, Talk& talk) {
+  for (const std::string& path : options.over) others.push_back({path, find_run(path), false});
+  for (const std::string& path : options.beside) others.push_back({path, find_run(path), true});
+  SceneInput scene = scene_of_runs(options.input, run, others);
+  if (!options.points) return scene;
+  ReferencePoints points = reference_points(run, scene);
+  if (points.series.empty())
+    throw UsageError(fmt::format("--points: there is none to show{}{}", points.left_out.empty() ? "" : ": ",
+                                 fmt::join(points.left_out, "; ")));
+  for (const std::string& reason : points.left_out) talk.remark("--points: " + reason);
+  scene.points = std::move(points.series);
+  return scene;
 }
 
 }  // namespace plumb

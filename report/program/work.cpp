@@ -93,9 +93,9 @@ void write_run(const Run& run, OutputFolder& folder) {
   write_file(folder.file("probes.csv"), to_csv(run.probes));
 }
 
-Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, OutputFolder& folder,
-                       Stages& stages, Talk& talk) {
-  Pictures pictures = draw(run, series_errors(run), range, folder, stages,
+Pictures draw_pictures(const Run& run, SceneInput scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk) {
+  Pictures pictures = draw(run, std::move(scene), series_errors(run), range, folder, stages,
                            [&](double share) { talk.progress("drawing", share); });
   talk.end_progress();
   return pictures;
@@ -116,7 +116,7 @@ void say_stages(const Stages& stages, Talk& talk) {
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
                            Talk& talk, const Study* study) {
-  Pictures pictures = draw_pictures(run, {}, folder, stages, talk);
+  Pictures pictures = draw_pictures(run, scene_input(run.loaded.spec), {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
     pictures.study = draw_study(study->result, folder);

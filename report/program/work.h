@@ -33,9 +33,9 @@ void write_run(const Run& run, OutputFolder& folder);
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
 
-/// Draws with a progress bar: all frames, or those of a range.
-Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, OutputFolder& folder,
-                       Stages& stages, Talk& talk);
+/// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
+Pictures draw_pictures(const Run& run, SceneInput scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
