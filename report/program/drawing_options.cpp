@@ -36,8 +36,14 @@ std::optional<FrameRange> asked_frames(const Options& options) {
 }
 
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
-  if (options.size.empty() && options.camera.empty()) return loaded;
+  if (options.size.empty() && options.camera.empty() && options.overrides.empty()) return loaded;
   CaseSource source = loaded.source;
+  for (const std::string& set : options.overrides) {
+    if (!set.starts_with("scene."))
+      throw UsageError(fmt::format(
+          "--set {}: the run is done; only keys of [scene] can be set, such as scene.theme=dark", set));
+    source.overrides.push_back(set);
+  }
   if (!options.size.empty()) {
     const std::size_t times = options.size.find('x');
     const auto width = whole(std::string_view(options.size).substr(0, times));

@@ -15,8 +15,8 @@ namespace plumb {
 /// UsageError.
 std::optional<FrameRange> asked_frames(const Options& options);
 
-/// The case of a run, read anew with the scene that --size and --camera ask for. Throws UsageError and
-/// InputError.
+/// The case of a run, read anew with the scene that --set, --size and --camera ask for. Throws UsageError,
+/// also where --set is given a key that is not of the scene, and InputError.
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options);
 
 /// The scene of a run with the others that --over and --beside ask for, read into `others`, which must

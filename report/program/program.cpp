@@ -101,7 +101,8 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   if (verb.takes_overrides)
     command
         ->add_option("--set", options.overrides,
-                     "set a key of the case, such as cable.elements=8 (repeatable)")
+                     verb.draws ? "set a key of [scene], such as scene.theme=dark (repeatable)"
+                                : "set a key of the case, such as cable.elements=8 (repeatable)")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -25,11 +25,12 @@ class SceneOfRuns : public testing::Test {
   static void TearDownTestSuite() { folder.reset(); }
 
   static void solve(const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {
-        "solve", case_path("pendulum.toml"), "-o", name, "--set", "time.end=0.2", "--set", "method.rtol=1e-6",
-        "--set", "scene.size=[480,270]",
-                                          "--set",
-                                          "scene.trail=0"};
+    std::vector<std::string> arguments = {"solve", case_path("pendulum.toml"),
+                                          "-o",    name,
+                                          "--set", "time.end=0.2",
+                                          "--set", "method.rtol=1e-6",
+                                          "--set", "scene.size=[480,270]",
+                                          "--set", "scene.trail=0"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Ended ended = plumb_in(folder->path(), arguments);
     ASSERT_EQ(ended.status, 0) << ended.err;
