@@ -49,6 +49,7 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   std::unique_ptr<Video> video;
   if (!options.video.empty())
     video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
+  note_renderer(run);
   write_run(run, folder);
   for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5"})
     folder.keep(report_file);

@@ -88,6 +88,16 @@ std::string output_path_of_run(const Options& options) {
   return fs::absolute(path).parent_path().string();
 }
 
+void note_renderer(Run& run) {
+  const std::string name = "renderer", fingerprint = GlContext().info().fingerprint();
+  for (auto& [known, value] : run.provenance)
+    if (known == name) {
+      value = fingerprint;
+      return;
+    }
+  run.provenance.emplace_back(name, fingerprint);
+}
+
 void write_run(const Run& run, OutputFolder& folder) {
   write_file(folder.file(run_file_name), encode_run(run));
   write_file(folder.file("probes.csv"), to_csv(run.probes));

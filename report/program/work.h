@@ -28,6 +28,9 @@ Run find_run(const std::string& path);
 /// a run file of another name than run.h5 without -o, as it is no part of the folder it lies in.
 std::string output_path_of_run(const Options& options);
 
+/// Takes down in the run's provenance what draws its pictures. Throws OutputError where nothing can draw.
+void note_renderer(Run& run);
+
 /// Writes run.h5 and probes.csv.
 void write_run(const Run& run, OutputFolder& folder);
 
