@@ -82,8 +82,9 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
   return pictures;
 }
 
-Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
-              OutputFolder& folder, Stages& stages, const DrawingProgress& progress) {
+Pictures draw(const Run& run, SceneInput input, const std::vector<SeriesError>& errors,
+              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress) {
   Pictures result;
   stages.begin("figures");
   const GlContext context;
@@ -91,7 +92,6 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std:
   result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
   stages.begin("frames");
-  SceneInput input = scene_input(run.loaded.spec);
   SceneRenderer scene(context, run.trajectory, input);
   std::vector<std::string> frames;
   const FrameRange asked = range_within(scene, range);

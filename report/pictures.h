@@ -61,9 +61,10 @@ FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRan
 inline constexpr const char* player_file = "player.png";
 
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
-/// animation.png and player.png. Throws OutputError when drawing or writing fails, Interrupted when the user
-/// stops it.
-Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
-              OutputFolder& folder, Stages& stages, const DrawingProgress& progress = {});
+/// animation.png and player.png. `scene` is what the frames show. Throws OutputError when drawing or writing
+/// fails, Interrupted when the user stops it.
+Pictures draw(const Run& run, SceneInput scene, const std::vector<SeriesError>& errors,
+              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress = {});
 
 }  // namespace plumb

@@ -30,6 +30,9 @@ struct Options {
   std::string size;                    ///< of --size
   std::string camera;                  ///< of --camera
   std::string video;                   ///< of --video
+  std::vector<std::string> over;       ///< runs of --over
+  std::vector<std::string> beside;     ///< runs of --beside
+  bool points = false;                 ///< --points
   std::string html;                    ///< of --html; empty: not given
   std::optional<int> channel;          ///< of --channel
   std::optional<double> density;       ///< of --density

@@ -45,6 +45,17 @@ void add_drawing(CLI::App& command, Options& options) {
   command
       .add_option("--video", options.video, "write the frames to FILE.mp4 or FILE.webm as well, with ffmpeg")
       ->type_name("FILE");
+  const auto add_runs = [&](const char* name, std::vector<std::string>& runs, const char* help) {
+    command.add_option(name, runs, help)
+        ->type_name("RUN")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  add_runs("--over", options.over, "show another run in the frames, over this one (repeatable)");
+  add_runs("--beside", options.beside, "show another run in the frames, to the right (repeatable)");
+  command.add_flag(
+      "--points", options.points,
+      "show the points of the references in the frames, where enough of their components is known");
 }
 
 void add_comparison(CLI::App& command, Options& options) {
@@ -114,7 +125,8 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   if (verb.takes_overrides)
     command
         ->add_option("--set", options.overrides,
-                     "set a key of the case, such as cable.elements=8 (repeatable)")
+                     verb.draws ? "set a key of [scene], such as scene.theme=dark (repeatable)"
+                                : "set a key of the case, such as cable.elements=8 (repeatable)")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

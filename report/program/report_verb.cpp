@@ -27,8 +27,9 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
     OutputFolder folder(output_path_of_run(options));
     return kind.report(json->text, folder, stages, options, talk);
   }
-  const Run run = find_run(options.input);
+  Run run = find_run(options.input);
   OutputFolder folder(output_path_of_run(options));
+  note_renderer(run);
   write_run(run, folder);
   const std::optional<Study> study = study_beside(options.input);
   if (study) write_study(*study, folder);

@@ -22,10 +22,11 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   if (!options.baseline.empty()) find_document(options.baseline);
   OutputFolder folder(output_path(options, loaded));
   stages.begin("solving");
-  const Run run = solve(loaded, talk);
+  Run run = solve(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
+  note_renderer(run);
   write_run(run, folder);
   std::optional<Study> study;
   if (loaded.spec.work_precision) {

@@ -25,6 +25,7 @@ std::span<const Verb> verbs() {
        .summary = "frames, figures and animation from a finished run",
        .act = render_verb,
        .input = "RUN",
+       .takes_overrides = true,
        .takes_output = true,
        .draws = true},
       {.name = "report",

@@ -87,14 +87,24 @@ std::string output_path_of_run(const Options& options) {
   return fs::absolute(path).parent_path().string();
 }
 
+void note_renderer(Run& run) {
+  const std::string name = "renderer", fingerprint = GlContext().info().fingerprint();
+  for (auto& [known, value] : run.provenance)
+    if (known == name) {
+      value = fingerprint;
+      return;
+    }
+  run.provenance.emplace_back(name, fingerprint);
+}
+
 void write_run(const Run& run, OutputFolder& folder) {
   write_file(folder.file(run_file_name), encode_run(run));
   write_file(folder.file("probes.csv"), to_csv(run.probes));
 }
 
-Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, OutputFolder& folder,
-                       Stages& stages, Talk& talk) {
-  Pictures pictures = draw(run, series_errors(run), range, folder, stages,
+Pictures draw_pictures(const Run& run, SceneInput scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk) {
+  Pictures pictures = draw(run, std::move(scene), series_errors(run), range, folder, stages,
                            [&](double share) { talk.progress("drawing", share); });
   talk.end_progress();
   return pictures;
@@ -115,7 +125,7 @@ void say_stages(const Stages& stages, Talk& talk) {
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
                            Talk& talk, const Study* study) {
-  Pictures pictures = draw_pictures(run, {}, folder, stages, talk);
+  Pictures pictures = draw_pictures(run, scene_input(run.loaded.spec), {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
     pictures.study = draw_study(study->result, folder);

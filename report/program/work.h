@@ -29,6 +29,9 @@ Run find_run(const std::string& path);
 /// a run file of another name than run.h5 without -o, as it is no part of the folder it lies in.
 std::string output_path_of_run(const Options& options);
 
+/// Takes down in the run's provenance what draws its pictures. Throws OutputError where nothing can draw.
+void note_renderer(Run& run);
+
 /// Writes run.h5 and probes.csv.
 void write_run(const Run& run, OutputFolder& folder);
 
@@ -40,9 +43,9 @@ ExitStatus status_of(const Document& document);
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
 
-/// Draws with a progress bar: all frames, or those of a range.
-Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, OutputFolder& folder,
-                       Stages& stages, Talk& talk);
+/// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
+Pictures draw_pictures(const Run& run, SceneInput scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
