@@ -26,20 +26,47 @@ std::string label(const std::string& given, const std::string& column, const std
   return fmt::format("{} [{}]", name, unit);
 }
 
-const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& errors, const FigureSpec& spec,
-                              const std::string& column) {
-  for (const SeriesError& error : errors)
-    if (run.loaded.spec.references[error.reference].name == spec.reference && error.column == column)
-      return &error;
-  return nullptr;
-}
-
 Series line(const std::string& name, std::vector<double> x, std::vector<double> y) {
   Series series;
   series.label = name;
   series.x = std::move(x);
   series.y = std::move(y);
   return series;
+}
+
+const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& errors, const FigureSpec& spec,
+                              const std::string& column) {
+  for (const SeriesError& error : errors)
+    if (!error.given_run && run.loaded.spec.references[error.reference].name == spec.reference &&
+        error.column == column)
+      return &error;
+  return nullptr;
+}
+
+/// The given runs beside the one that is reported, over it in the same panel.
+void add_given_runs(const Run& run, const FigureSpec& spec, Panel& panel) {
+  const Case& the_case = run.loaded.spec;
+  for (std::size_t k = reports_given_run(the_case) ? 1 : 0; k < the_case.given_runs.size(); ++k) {
+    const GivenRun& given = run.loaded.given_runs[k];
+    const GivenColumn *x = given.find(spec.x), *y = given.find(spec.y);
+    if (y == nullptr || (x == nullptr && spec.x != "t")) continue;
+    panel.series.push_back(line(the_case.given_runs[k].name, x ? x->values : given.times, y->values));
+    panel.series.back().dash = Dash::dashed;
+  }
+}
+
+/// Their differences to the reference of the figure.
+void add_given_differences(const Run& run, const FigureSpec& spec, const std::vector<SeriesError>& errors,
+                           bool several, Panel& panel) {
+  const Case& the_case = run.loaded.spec;
+  for (const SeriesError& error : errors) {
+    const bool of_figure = error.given_run && the_case.references[error.reference].name == spec.reference &&
+                           (error.column == spec.x || error.column == spec.y) && !error.times.empty();
+    if (!of_figure) continue;
+    panel.series.push_back(line(given_name(error, the_case) + (several ? ": " + error.column : ""),
+                                error.times, error.difference));
+    panel.series.back().dash = Dash::dashed;
+  }
 }
 
 Series points(const std::string& name, std::vector<double> x, std::vector<double> y) {
@@ -74,19 +101,29 @@ std::string title_of(const Run& run, const std::string& title) {
   return fmt::format("{} – only to {:.3g} s: {}", title, trajectory.end_time, word(trajectory.outcome));
 }
 
-Panel difference_panel(const std::vector<const SeriesError*>& errors) {
+Panel difference_panel(const std::vector<const SeriesError*>& errors, const Case& spec) {
   Panel panel;
   panel.height_share = difference_share;
   panel.x.label = "time [s]";
-  panel.y.label = fmt::format("Plumb − ref. [{}]", errors.front()->unit);
+  const bool alone = spec.given_runs.empty() || (reports_given_run(spec) && spec.given_runs.size() == 1);
+  panel.y.label = fmt::format("{} − ref. [{}]", alone ? reported_name(spec) : "run", errors.front()->unit);
   panel.y.zero_line = true;
   for (const SeriesError* error : errors)
-    panel.series.push_back(line(errors.size() > 1 ? error->column : "", error->times, error->difference));
+    panel.series.push_back(line(errors.size() > 1 ? error->column
+                                : alone           ? ""
+                                                  : reported_name(spec),
+                                error->times, error->difference));
   return panel;
 }
 
-std::string alt_text(const FigureSpec& spec, const std::vector<const SeriesError*>& compared) {
+std::string alt_text(const Case& the_case, const FigureSpec& spec,
+                     const std::vector<const SeriesError*>& compared) {
   std::string text = fmt::format("Plot of {} over {}", spec.y, spec.x == "t" ? "time" : spec.x);
+  if (!the_case.given_runs.empty()) {
+    text += " by " + reported_name(the_case);
+    for (std::size_t k = reports_given_run(the_case) ? 1 : 0; k < the_case.given_runs.size(); ++k)
+      text += ", " + the_case.given_runs[k].name;
+  }
   for (const SeriesError* error : compared)
     text += fmt::format("{} {}: greatest difference {:.3g} {} at {:.4g} s",
                         error == compared.front() ? " with the reference's points under it." : ";",
@@ -100,7 +137,7 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   panel.x.label = label(spec.x_label, spec.x, x.unit);
   panel.y.label = label(spec.y_label, spec.y, y.unit);
   panel.equal_axes = spec.equal_axes;
-  panel.series.push_back(line("Plumb", x.values, y.values));
+  panel.series.push_back(line(reported_name(run.loaded.spec), x.values, y.values));
 
   std::vector<const SeriesError*> compared;
   const SeriesError* of_y = find_error(run, errors, spec, spec.y);
@@ -113,17 +150,20 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
     compared.push_back(of_y);
   }
 
+  add_given_runs(run, spec, panel);
+
   Figure figure;
   figure.name = spec.name;
   figure.title = title_of(run, spec.title.empty() ? spec.name : spec.title);
-  figure.alt = alt_text(spec, compared);
+  figure.alt = alt_text(run.loaded.spec, spec, compared);
   figure.plot.title = figure.title;
   figure.plot.height = spec.equal_axes ? 1800 : 1200;
   panel.shares_x_below = spec.x == "t" && !compared.empty();
   if (spec.x == "t") mark_ending(run, panel);
   figure.plot.panels.push_back(std::move(panel));
   if (!compared.empty()) {
-    figure.plot.panels.push_back(difference_panel(compared));
+    figure.plot.panels.push_back(difference_panel(compared, run.loaded.spec));
+    add_given_differences(run, spec, errors, compared.size() > 1, figure.plot.panels.back());
     mark_ending(run, figure.plot.panels.back());
   }
   return figure;
@@ -176,7 +216,8 @@ Figure energy_figure(const Run& run) {
 std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& errors) {
   std::vector<Figure> result;
   for (const FigureSpec& spec : run.loaded.spec.figures) result.push_back(case_figure(run, spec, errors));
-  result.push_back(energy_figure(run));
+  // Of a given run the energies are not known.
+  if (!run.trajectory.energies.empty()) result.push_back(energy_figure(run));
   return result;
 }
 

@@ -15,6 +15,13 @@ long count(const JunitSuite& suite, VerdictStatus status) {
                        [&](const JunitCase& c) { return c.status == status; });
 }
 
+/// "rk4, 4 elements", or "given by chrono.csv".
+std::string integration_name(const Run& run) {
+  const Case& spec = run.loaded.spec;
+  if (reports_given_run(spec)) return "given by " + computed_by(spec.given_runs.front());
+  return fmt::format("{}, {}", spec.method.name, counted(run.trajectory.elements, "element", "elements"));
+}
+
 }  // namespace
 
 std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
@@ -33,13 +40,12 @@ std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
 std::string to_junit(const Results& results) {
   const Trajectory& t = results.run.trajectory;
   std::vector<JunitSuite> all = suites_of(results.verdicts);
-  all.insert(all.begin(), {"integration",
-                           {{fmt::format("{}, {}", results.run.loaded.spec.method.name,
-                                         counted(t.elements, "element", "elements")),
-                             results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
-                             std::max(0.0, t.solve_seconds)}},
-                           {{"outcome", std::string(word(results.outcome))},
-                            {"outcome_reason", outcome_reason(results)}}});
+  all.insert(
+      all.begin(),
+      {"integration",
+       {{integration_name(results.run), results.solved() ? VerdictStatus::passed : VerdictStatus::failed,
+         t.message, std::max(0.0, t.solve_seconds)}},
+       {{"outcome", std::string(word(results.outcome))}, {"outcome_reason", outcome_reason(results)}}});
   return junit_xml(results.run.loaded.spec.title, all);
 }
 

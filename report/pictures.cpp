@@ -14,6 +14,7 @@
 #include "render/png.h"
 #include "render/scene.h"
 #include "report/figure_csv.h"
+#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {
@@ -69,9 +70,17 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std:
   const PngTexts texts = picture_texts(context, run.loaded.source.file.name);
   result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
+  result.renderer = context.info().fingerprint();
+  const SceneOfRun of_run(run);
+  result.animation_notes = of_run.notes();
+  if (of_run.motion() == nullptr) {
+    stages.end();
+    return result;
+  }
+
   stages.begin("frames");
-  SceneInput input = scene_input(run.loaded.spec);
-  SceneRenderer scene(context, run.trajectory, input);
+  SceneInput input = of_run.input();
+  SceneRenderer scene(context, *of_run.motion(), input);
   std::vector<std::string> frames;
   const FrameRange asked = range_within(scene, range);
   stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
@@ -87,14 +96,13 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std:
   write_file(folder.file("animation.png"), join_apng(frames, input.spec.frame_rate));
   frames.clear();
   input.spec = page_scene(input.spec);
-  SceneRenderer small(context, run.trajectory, input);
+  SceneRenderer small(context, *of_run.motion(), input);
   stream_frames(small, range_within(small, {}), texts, PngEffort::small,
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_still = frames.back();
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];
-  result.renderer = context.info().fingerprint();
   stages.end();
   return result;
 }

@@ -35,6 +35,10 @@ struct Pictures {
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
   std::string renderer;           ///< GlInfo::fingerprint() of what drew them
+  /// What given runs are drawn through, or why there is no animation; a sentence each.
+  std::vector<std::string> animation_notes = {};
+
+  bool animated() const { return frames > 0; }
 };
 
 /// What every picture file says of itself: program, title, and what drew it.
@@ -53,7 +57,8 @@ using DrawingProgress = std::function<void(double)>;
 FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked);
 
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
-/// animation.png. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+/// animation.png; no frames and no animation of a given run that does not tell enough. Throws OutputError
+/// when drawing or writing fails, Interrupted when the user stops it.
 Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
               OutputFolder& folder, Stages& stages, const DrawingProgress& progress = {});
 

@@ -38,6 +38,19 @@ std::string to_summary(const Results& results) {
                                  escape_markdown(run.loaded.spec.title), escape_markdown(headline(results)),
                                  word(results.outcome), escape_markdown(outcome_reason(results)));
   text += verdict_table(results.verdicts);
+  for (const GivenDistance& distance : results.distances) {
+    if (text.size() > size_limit) break;
+    text += fmt::format("\nDistance of {} to {}: {} {}.\n",
+                        escape_markdown(run.loaded.spec.given_runs[distance.given_run].name),
+                        escape_markdown(reported_name(run.loaded.spec)), escape_markdown(distance.column),
+                        in_words(distance));
+  }
+  if (reports_given_run(run.loaded.spec)) {
+    text += fmt::format("\nGiven by {}, {} from {:.4g} to {:.4g} s; energy and cost are not known.\n",
+                        escape_markdown(computed_by(run.loaded.spec.given_runs.front())),
+                        counted(std::ssize(t.times), "output", "outputs"), t.times.front(), t.times.back());
+    return text;
+  }
   text += fmt::format(
       "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",
       escape_markdown(run.loaded.spec.method.name), counted(t.elements, "element", "elements"), t.end_time,

@@ -11,6 +11,7 @@
 #include "report/program/verbs.h"
 #include "report/program/video.h"
 #include "report/program/work.h"
+#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {
@@ -18,7 +19,9 @@ namespace {
 /// Frames as PNG files one after another on standard output, for an encoder.
 ExitStatus stream_to_standard_output(const Run& run, const Options& options, Talk& talk) {
   const GlContext context;
-  SceneRenderer scene(context, run.trajectory, scene_input(run.loaded.spec));
+  const SceneOfRun of_run(run);
+  if (of_run.motion() == nullptr) throw OutputError("there are no frames: " + of_run.notes().front());
+  SceneRenderer scene(context, *of_run.motion(), of_run.input());
   const FrameRange range = range_within(scene, asked_frames(options));
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
@@ -54,6 +57,7 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
       video->add(read_whole_file(folder.file(fmt::format("frames/{:04}.png", k))));
+    if (!pictures.animated()) throw OutputError("there is no video: " + pictures.animation_notes.front());
     video->finish();
     stages.end();
   }

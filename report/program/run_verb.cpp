@@ -9,8 +9,8 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
   stages.begin("reading");
   const LoadedCase loaded = load(options, talk);
   OutputFolder folder(output_path(options, loaded));
-  stages.begin("solving");
-  const Run run = solve(loaded, talk);
+  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
+  const Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");

@@ -8,6 +8,7 @@
 #include "engine/errors.h"
 #include "engine/integrate/integrate.h"
 #include "engine/output/file_writing.h"
+#include "engine/output/given_probes.h"
 #include "engine/output/run_file.h"
 #include "report/page.h"
 #include "report/study_pictures.h"
@@ -51,6 +52,24 @@ LoadedCase load(const Options& options, Talk& talk) {
   LoadedCase loaded = load_case(options.input, options.overrides);
   for (const std::string& remark : loaded.remarks) talk.remark(remark);
   return loaded;
+}
+
+Run solve_or_take(const LoadedCase& loaded, Talk& talk) {
+  if (!reports_given_run(loaded.spec)) return solve(loaded, talk);
+  Run run = reported_run(loaded, provenance_now());
+  talk.line(fmt::format("{}: not solved, given by {}: {} from {:.4g} to {:.4g} s", loaded.spec.title,
+                        computed_by(loaded.spec.given_runs.front()),
+                        counted(std::ssize(run.probes.times), "output", "outputs"), run.probes.times.front(),
+                        run.probes.times.back()));
+  return run;
+}
+
+void refuse_without_method(const LoadedCase& loaded) {
+  if (!reports_given_run(loaded.spec)) return;
+  throw UsageError(
+      fmt::format("{} has no [method], so there is nothing to solve: plumb run reports on its given "
+                  "run {}",
+                  loaded.source.file.name, loaded.spec.given_runs.front().name));
 }
 
 Run solve(const LoadedCase& loaded, Talk& talk) {
@@ -128,6 +147,11 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
   folder.commit();
   stages.end();
   say_verdicts(results.verdicts, talk);
+  for (const GivenDistance& distance : results.distances)
+    talk.line(fmt::format("  distance of {} to {}: {} {}",
+                          run.loaded.spec.given_runs[distance.given_run].name, reported_name(run.loaded.spec),
+                          distance.column, in_words(distance)));
+  for (const std::string& note : pictures.animation_notes) talk.line("animation: " + note);
   talk.line(headline(results));
   say_stages(stages, talk);
   talk.line("report: " + folder.path() + "/index.html");

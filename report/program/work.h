@@ -18,6 +18,12 @@ LoadedCase load(const Options& options, Talk& talk);
 /// Integrates a case and takes down what it was done with; says how it went.
 Run solve(const LoadedCase& loaded, Talk& talk);
 
+/// The same, or the given run of a case without [method].
+Run solve_or_take(const LoadedCase& loaded, Talk& talk);
+
+/// Throws UsageError for a case without [method], of which nothing can be solved.
+void refuse_without_method(const LoadedCase& loaded);
+
 /// The folder for a case's results: that of -o, or output/ and the case file's name.
 std::string output_path(const Options& options, const LoadedCase& loaded);
 
