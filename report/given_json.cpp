@@ -12,15 +12,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json distance_json(const GivenDistance& distance) {
-  return {{"column", distance.column},
-          {"unit", distance.unit},
-          {"times_of", distance.times_of},
-          {"points", distance.times.size()},
-          {"max", distance.max},
-          {"max_time", distance.max_time},
-          {"rms", distance.rms},
-          {"time", distance.times},
-          {"difference", distance.difference}};
+  return {{"column", distance.column},     {"unit", distance.unit},
+          {"times_of", distance.times_of}, {"points", distance.times.size()},
+          {"max", distance.max},           {"max_time", distance.max_time},
+          {"rms", distance.rms},           {"in_words", in_words(distance)},
+          {"time", distance.times},        {"difference", distance.difference}};
 }
 
 Json given_run_json(const LoadedCase& loaded, std::size_t k) {
@@ -65,6 +61,20 @@ Json given_runs_json(const Results& results) {
       if (distance.given_run == k) all[k]["distances"].push_back(distance_json(distance));
   }
   return all;
+}
+
+std::vector<std::string> distances_in_words(const Json& document) {
+  std::vector<std::string> result;
+  if (!document.contains("given_runs")) return result;
+  for (const Json& given : document.at("given_runs")) {
+    if (!given.contains("distances")) continue;
+    for (const Json& distance : given.at("distances"))
+      result.push_back(fmt::format("distance of {} to {}: {} {}", given.at("name").get<std::string>(),
+                                   document.at("reported").get<std::string>(),
+                                   distance.at("column").get<std::string>(),
+                                   distance.at("in_words").get<std::string>()));
+  }
+  return result;
 }
 
 }  // namespace plumb

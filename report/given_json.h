@@ -13,4 +13,7 @@ nlohmann::ordered_json given_runs_json(const Results& results);
 /// The same of a case, without the distances.
 nlohmann::ordered_json given_runs_json(const LoadedCase& loaded);
 
+/// "distance of chrono to Plumb: tip.x 0.0123 m at 1.42 s (RMS 0.004 m)", one a column, from a document.
+std::vector<std::string> distances_in_words(const nlohmann::ordered_json& document);
+
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "report/document.h"
 #include "report/escape.h"
 #include "report/junit_suites.h"
 #include "report/results.h"
@@ -16,10 +17,11 @@ long count(const JunitSuite& suite, VerdictStatus status) {
 }
 
 /// "rk4, 4 elements", or "given by chrono.csv".
-std::string integration_name(const Run& run) {
-  const Case& spec = run.loaded.spec;
-  if (reports_given_run(spec)) return "given by " + computed_by(spec.given_runs.front());
-  return fmt::format("{}, {}", spec.method.name, counted(run.trajectory.elements, "element", "elements"));
+std::string integration_name(const Document& document) {
+  if (document.contains("computed_by")) return "given by " + document.at("computed_by").get<std::string>();
+  const Document& solve = document.at("solve");
+  return fmt::format("{}, {}", solve.at("method").get<std::string>(),
+                     counted(solve.at("elements").get<long>(), "element", "elements"));
 }
 
 }  // namespace
@@ -37,16 +39,18 @@ std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
   return all;
 }
 
-std::string to_junit(const Results& results) {
-  const Trajectory& t = results.run.trajectory;
-  std::vector<JunitSuite> all = suites_of(results.verdicts);
+std::string to_junit(const Document& document) {
+  const Document& solve = document.at("solve");
+  const std::string name = integration_name(document);
+  std::vector<JunitSuite> all = suites_of(verdicts_of(document));
   all.insert(
       all.begin(),
       {"integration",
-       {{integration_name(results.run), results.solved() ? VerdictStatus::passed : VerdictStatus::failed,
-         t.message, std::max(0.0, t.solve_seconds)}},
-       {{"outcome", std::string(word(results.outcome))}, {"outcome_reason", outcome_reason(results)}}});
-  return junit_xml(results.run.loaded.spec.title, all);
+       {{name, document.at("complete").get<bool>() ? VerdictStatus::passed : VerdictStatus::failed,
+         solve.at("message").get<std::string>(), std::max(0.0, solve.at("solve_seconds").get<double>())}},
+       {{"outcome", document.at("outcome").get<std::string>()},
+        {"outcome_reason", document.at("outcome_reason").get<std::string>()}}});
+  return junit_xml(document.at("title").get<std::string>(), all);
 }
 
 std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& all) {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include "report/document.h"
 #include "report/escape.h"
+#include "report/given_json.h"
 #include "report/results.h"
 
 namespace plumb {
@@ -31,31 +33,26 @@ std::string verdict_table(const std::vector<Verdict>& verdicts) {
   return text;
 }
 
-std::string to_summary(const Results& results) {
-  const Run& run = results.run;
-  const Trajectory& t = run.trajectory;
-  std::string text = fmt::format("# {}\n\n{}\n\nOutcome: **{}**, {}.\n\n",
-                                 escape_markdown(run.loaded.spec.title), escape_markdown(headline(results)),
-                                 word(results.outcome), escape_markdown(outcome_reason(results)));
-  text += verdict_table(results.verdicts);
-  for (const GivenDistance& distance : results.distances) {
-    if (text.size() > size_limit) break;
-    text += fmt::format("\nDistance of {} to {}: {} {}.\n",
-                        escape_markdown(run.loaded.spec.given_runs[distance.given_run].name),
-                        escape_markdown(reported_name(run.loaded.spec)), escape_markdown(distance.column),
-                        in_words(distance));
-  }
-  if (reports_given_run(run.loaded.spec)) {
-    text += fmt::format("\nGiven by {}, {} from {:.4g} to {:.4g} s; energy and cost are not known.\n",
-                        escape_markdown(computed_by(run.loaded.spec.given_runs.front())),
-                        counted(std::ssize(t.times), "output", "outputs"), t.times.front(), t.times.back());
-    return text;
-  }
+std::string to_summary(const Document& document) {
+  const auto text_of = [&](const char* key) { return escape_markdown(document.at(key).get<std::string>()); };
+  const Document& solve = document.at("solve");
+  std::string text = fmt::format("# {}\n\n{}\n\nOutcome: **{}**, {}.\n\n", text_of("title"),
+                                 text_of("headline"), text_of("outcome"), text_of("outcome_reason"));
+  text += verdict_table(verdicts_of(document));
+  for (const std::string& distance : distances_in_words(document))
+    if (text.size() < size_limit) text += fmt::format("\n{}.\n", escape_markdown(distance));
+  if (document.contains("computed_by"))
+    return text + fmt::format("\nGiven by {}, {} to {:.4g} s; its energy and cost are not known.\n",
+                              text_of("computed_by"),
+                              counted(solve.at("outputs").get<long>(), "output", "outputs"),
+                              solve.at("end_time").get<double>());
   text += fmt::format(
       "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",
-      escape_markdown(run.loaded.spec.method.name), counted(t.elements, "element", "elements"), t.end_time,
-      counted(t.counters.steps, "step", "steps"), t.counters.force_evaluations,
-      t.counters.tangent_evaluations, t.solve_seconds, drift_in_words(t));
+      escape_markdown(solve.at("method").get<std::string>()),
+      counted(solve.at("elements").get<long>(), "element", "elements"), solve.at("end_time").get<double>(),
+      counted(solve.at("steps").get<long>(), "step", "steps"), solve.at("force_evaluations").get<long>(),
+      solve.at("tangent_evaluations").get<long>(), solve.at("solve_seconds").get<double>(),
+      document.at("energy").at("drift_in_words").get<std::string>());
   return text;
 }
 
