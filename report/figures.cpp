@@ -43,6 +43,15 @@ const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& er
   return nullptr;
 }
 
+Dash given_dash(std::size_t given_run) {
+  return given_run % 2 == 0 ? Dash::dashed : Dash::dotted;
+}
+
+/// The palette's after those of the reported run and of the reference's points.
+Color given_color(std::size_t given_run) {
+  return palette[(given_run + 2) % palette.size()];
+}
+
 /// The given runs beside the one that is reported, over it in the same panel.
 void add_given_runs(const Run& run, const FigureSpec& spec, Panel& panel) {
   const Case& the_case = run.loaded.spec;
@@ -51,21 +60,27 @@ void add_given_runs(const Run& run, const FigureSpec& spec, Panel& panel) {
     const GivenColumn *x = given.find(spec.x), *y = given.find(spec.y);
     if (y == nullptr || (x == nullptr && spec.x != "t")) continue;
     panel.series.push_back(line(the_case.given_runs[k].name, x ? x->values : given.times, y->values));
-    panel.series.back().dash = Dash::dashed;
+    panel.series.back().dash = given_dash(k);
+    panel.series.back().color = given_color(k);
   }
 }
 
-/// Their differences to the reference of the figure.
+/// Their differences to the reference of the figure. Of several columns, colours tell the column, and dashes
+/// the run.
 void add_given_differences(const Run& run, const FigureSpec& spec, const std::vector<SeriesError>& errors,
-                           bool several, Panel& panel) {
+                           const std::vector<const SeriesError*>& compared, Panel& panel) {
   const Case& the_case = run.loaded.spec;
+  const bool several = compared.size() > 1;
   for (const SeriesError& error : errors) {
     const bool of_figure = error.given_run && the_case.references[error.reference].name == spec.reference &&
                            (error.column == spec.x || error.column == spec.y) && !error.times.empty();
     if (!of_figure) continue;
     panel.series.push_back(line(given_name(error, the_case) + (several ? ": " + error.column : ""),
                                 error.times, error.difference));
-    panel.series.back().dash = Dash::dashed;
+    panel.series.back().dash = given_dash(*error.given_run);
+    panel.series.back().color = !several                                   ? given_color(*error.given_run)
+                                : error.column == compared.front()->column ? palette[0]
+                                                                           : palette[1];
   }
 }
 
@@ -163,7 +178,7 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   figure.plot.panels.push_back(std::move(panel));
   if (!compared.empty()) {
     figure.plot.panels.push_back(difference_panel(compared, run.loaded.spec));
-    add_given_differences(run, spec, errors, compared.size() > 1, figure.plot.panels.back());
+    add_given_differences(run, spec, errors, compared, figure.plot.panels.back());
     mark_ending(run, figure.plot.panels.back());
   }
   return figure;

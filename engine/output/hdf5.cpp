@@ -1,5 +1,6 @@
 #include "engine/output/hdf5.h"
 
+#include <atomic>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -40,6 +41,12 @@ Handle string_type(H5T_cset_t characters = H5T_CSET_UTF8) {
   require(H5Tset_size(type, H5T_VARIABLE), "cannot make a string type");
   require(H5Tset_cset(type, characters), "cannot make a string type");
   return type;
+}
+
+/// A name for a file in memory. The library takes two open ones of the same name for the same file.
+std::string memory_name() {
+  static std::atomic<long> count = 0;
+  return "memory-" + std::to_string(++count);
 }
 
 Handle space_of(const std::vector<hsize_t>& shape) {
@@ -93,7 +100,7 @@ Writer::Writer() {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a file in memory");
   constexpr std::size_t growth = 1 << 20;
   require(H5Pset_fapl_core(access, growth, false), "cannot make a file in memory");
-  file_ = H5Fcreate("run.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  file_ = H5Fcreate(memory_name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   require(static_cast<herr_t>(file_ < 0 ? -1 : 0), "cannot make a file in memory");
 }
 
@@ -147,7 +154,7 @@ Reader::Reader(const std::string& bytes) {
   require(H5Pset_fapl_core(access, growth, false), "cannot open a file in memory");
   // The library takes a copy and does not write to what it is given.
   require(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "it is no HDF5 file");
-  file_ = H5Fopen("run.h5", H5F_ACC_RDONLY, access);
+  file_ = H5Fopen(memory_name().c_str(), H5F_ACC_RDONLY, access);
   if (file_ < 0) throw std::runtime_error("it is no HDF5 file");
 }
 

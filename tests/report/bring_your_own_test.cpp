@@ -189,6 +189,10 @@ TEST(BringYourOwn, ARunFileOfPlumbsIsAGivenRunAsItIs) {
   const Json json = Json::parse(ended.out);
   ASSERT_EQ(json["given_runs"][0]["distances"].size(), 12U);
   for (const Json& distance : json["given_runs"][0]["distances"]) EXPECT_EQ(distance["max"], 0) << distance;
+  fs::remove_all(folder / "mine");
+  const Ended again = plumb_in(folder.path(), {"report", "out", "--json"});
+  ASSERT_NE(again.out, "") << again.err;
+  EXPECT_EQ(Json::parse(again.out)["given_runs"], json["given_runs"]) << "a run file within a run file";
 }
 
 }  // namespace
