@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "engine/errors.h"
 #include "engine/integrate/method_info.h"
+#include "report/changes_html.h"
 #include "report/given_html.h"
 #include "report/page_tables.h"
 #include "report/page_template.h"
@@ -44,11 +46,18 @@ data figure_rows(const std::vector<Picture>& pictures) {
   return rows;
 }
 
+const MethodInfo& method_of(const Document& the_case) {
+  const std::string name = the_case.at("method").at("name").get<std::string>();
+  const MethodInfo* info = find_method(name);
+  if (!info) throw InputError("results.json: no method is called " + name);
+  return *info;
+}
+
 std::string formulation_html(const Document& document) {
   const Document& the_case = document.at("case");
   if (document.contains("computed_by")) return given_formulation_html(document);
   const Document& cable = the_case.at("cable");
-  const MethodInfo& method = *find_method(the_case.at("method").at("name").get<std::string>());
+  const MethodInfo& method = method_of(the_case);
   data formulation;
   formulation["chain"] = cable.at("model") == word(CableModel::chain);
   formulation["green"] = cable.at("strain") == word(StrainModel::green_geometric);
@@ -70,7 +79,7 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   const std::vector<Verdict> verdicts = verdicts_of(document);
   const bool solved = document.at("complete").get<bool>();
   const bool given = document.contains("computed_by");
-  const bool dynamic = given || find_method(the_case.at("method").at("name").get<std::string>())->dynamic;
+  const bool dynamic = given || method_of(the_case).dynamic;
   const std::string outcome = solve.at("outcome").get<std::string>();
 
   data page;
@@ -119,6 +128,9 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["formulation"] = formulation_html(document);
   page["case_rows"] = case_rows(document);
   set_case_and_provenance(page, document);
+  const std::string changes = changes_html(document);
+  page["has_changes"] = !changes.empty();
+  page["changes"] = changes;
   page["has_study"] = document.contains("work_precision");
   if (document.contains("work_precision")) {
     const WorkPrecision study = work_precision_from_json(document.at("work_precision"));

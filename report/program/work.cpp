@@ -11,6 +11,7 @@
 #include "engine/output/given_probes.h"
 #include "engine/output/run_file.h"
 #include "report/given_json.h"
+#include "report/program/earlier_report.h"
 #include "report/report_files.h"
 #include "report/study_pictures.h"
 
@@ -143,7 +144,8 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
     pictures.study = draw_study(study->result, folder);
     stages.end();
   }
-  const Document document = document_of(evaluate(run, stages, study), pictures);
+  Document document = document_of(evaluate(run, stages, study), pictures);
+  hold_against_earlier(document, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();
