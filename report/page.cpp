@@ -112,7 +112,7 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["end_time"] = number(solve.at("end_time"));
   page["given"] = given;
   page["computed_by"] = given ? text("computed_by") : std::string();
-  page["reported"] = text("reported");
+  page["reported"] = document.value("reported", "Plumb");
   page["animated"] = pictures.animated();
   data notes{data::type::list};
   for (const std::string& note : pictures.animation_notes) notes.push_back(data{"note", note});

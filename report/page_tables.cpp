@@ -43,7 +43,7 @@ data error_rows(const Document& document) {
     const std::string unit = text(error, "unit");
     const bool any = error.at("points").get<long>() > 0, length = any && unit == "m";
     data row;
-    row["run"] = text(error, "run");
+    row["run"] = error.value("run", "Plumb");
     row["reference"] = text(error, "reference");
     row["column"] = text(error, "column");
     row["series"] = text(error, "description");

@@ -28,7 +28,7 @@ constexpr const char* run_file_name = "run.h5";
 void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk) {
   say_verdicts(verdicts_of(document), talk);
   for (const std::string& distance : distances_in_words(document)) talk.line("  " + distance);
-  for (const Document& note : document.at("animation").at("notes"))
+  for (const Document& note : document.at("animation").value("notes", Document::array()))
     talk.line("animation: " + note.get<std::string>());
   talk.line(document.at("headline").get<std::string>());
   talk.line("report: " + folder + "/index.html");

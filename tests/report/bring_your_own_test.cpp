@@ -68,6 +68,10 @@ TEST(BringYourOwn, AReportIsMadeAgainFromTheRunFileWhereTheTableIsGone) {
   const Ended ended = plumb_in(folder.path(), {"report", "out"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(read_text(folder / "out/probes.csv"), first);
+  const std::string page = read_text(folder / "out/index.html");
+  const Ended from = plumb_in(folder.path(), {"report", "--from", "out/results.json"});
+  EXPECT_EQ(from.status, 0) << from.err;
+  EXPECT_EQ(read_text(folder / "out/index.html"), page);
   EXPECT_EQ(first.substr(0, first.find('\n')).find("t [s],quarter.x [m],"), 0U) << first.substr(0, 80);
   const Ended frames = plumb_in(folder.path(), {"render", "out", "-o", "-", "--frames", "3"});
   EXPECT_EQ(frames.status, 0) << frames.err;
