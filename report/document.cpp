@@ -2,6 +2,7 @@
 
 #include "engine/integrate/method_info.h"
 #include "report/case_json.h"
+#include "report/given_json.h"
 #include "report/study_json.h"
 
 namespace plumb {
@@ -12,7 +13,9 @@ using Json = Document;
 Json error_json(const SeriesError& error, const Run& run) {
   const ReferenceUse& use = run.loaded.spec.references[error.reference];
   const ReferenceSeries& series = *run.loaded.references[error.reference].find(error.series);
+  const std::string given = given_name(error, run.loaded.spec);
   return {{"reference", use.name},
+          {"run", given.empty() ? reported_name(run.loaded.spec) : given},
           {"series", error.series},
           {"column", error.column},
           {"description", series.description},
@@ -44,6 +47,8 @@ Json reference_json(const Reference& reference, const ReferenceUse& use) {
 }
 
 Json energy_json(const Trajectory& trajectory) {
+  // Of a given run, which has no states, they are not known.
+  if (trajectory.energies.empty() && !trajectory.times.empty()) return nullptr;
   Json kinetic = Json::array(), axial = Json::array(), bending = Json::array(), potential = Json::array();
   for (const Energies& e : trajectory.energies) {
     kinetic.push_back(e.kinetic);
@@ -76,7 +81,8 @@ Json animation_json(const Pictures& pictures) {
           {"frame_rate", pictures.frame_rate},
           {"player_frame_rate", pictures.player_frame_rate},
           {"width", pictures.page_animation_width},
-          {"height", pictures.page_animation_height}};
+          {"height", pictures.page_animation_height},
+          {"notes", pictures.animation_notes}};
 }
 
 }  // namespace
@@ -87,6 +93,9 @@ Document document_of(const Results& results, const Pictures& pictures) {
   json["schema_version"] = results_version;
   json["title"] = run.loaded.spec.title;
   json["headline"] = headline(results);
+  json["reported"] = reported_name(run.loaded.spec);
+  if (reports_given_run(run.loaded.spec))
+    json["computed_by"] = computed_by(run.loaded.spec.given_runs.front());
   json["outcome"] = word(results.outcome);
   json["outcome_reason"] = outcome_reason(results);
   json["complete"] = results.solved();
@@ -103,6 +112,7 @@ Document document_of(const Results& results, const Pictures& pictures) {
   json["probes"]["t"] = {{"unit", "s"}, {"values", run.probes.times}};
   for (const Column& column : run.probes.columns)
     json["probes"][column.name] = {{"unit", column.unit}, {"values", column.values}};
+  if (!run.loaded.given_runs.empty()) json["given_runs"] = given_runs_json(results);
   json["figures"] = picture_json(pictures.figures);
   json["animation"] = animation_json(pictures);
   json["renderer"] = pictures.renderer;

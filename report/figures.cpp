@@ -34,20 +34,63 @@ std::string label(const std::string& given, const std::string& column, const std
   return fmt::format("{} [{}]", name, unit_markup(unit));
 }
 
-const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& errors, const FigureSpec& spec,
-                              const std::string& column) {
-  for (const SeriesError& error : errors)
-    if (run.loaded.spec.references[error.reference].name == spec.reference && error.column == column)
-      return &error;
-  return nullptr;
-}
-
 Series line(const std::string& name, std::vector<double> x, std::vector<double> y) {
   Series series;
   series.label = name;
   series.x = std::move(x);
   series.y = std::move(y);
   return series;
+}
+
+const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& errors, const FigureSpec& spec,
+                              const std::string& column) {
+  for (const SeriesError& error : errors)
+    if (!error.given_run && run.loaded.spec.references[error.reference].name == spec.reference &&
+        error.column == column)
+      return &error;
+  return nullptr;
+}
+
+Dash given_dash(std::size_t given_run) {
+  return given_run % 2 == 0 ? Dash::dashed : Dash::dotted;
+}
+
+/// The palette's after those of the reported run and of the reference's points.
+Color given_color(std::size_t given_run) {
+  return palette[(given_run + 2) % palette.size()];
+}
+
+/// The given runs beside the one that is reported, over it in the same panel.
+void add_given_runs(const Run& run, const FigureSpec& spec, Panel& panel) {
+  const Case& the_case = run.loaded.spec;
+  for (std::size_t k = reports_given_run(the_case) ? 1 : 0; k < the_case.given_runs.size(); ++k) {
+    const GivenRun& given = run.loaded.given_runs[k];
+    const GivenColumn *x = given.find(spec.x), *y = given.find(spec.y);
+    if (y == nullptr || (x == nullptr && spec.x != "t")) continue;
+    panel.series.push_back(
+        line(literal(the_case.given_runs[k].name), x ? x->values : given.times, y->values));
+    panel.series.back().dash = given_dash(k);
+    panel.series.back().color = given_color(k);
+  }
+}
+
+/// Their differences to the reference of the figure. Of several columns, colours tell the column, and dashes
+/// the run.
+void add_given_differences(const Run& run, const FigureSpec& spec, const std::vector<SeriesError>& errors,
+                           const std::vector<const SeriesError*>& compared, Panel& panel) {
+  const Case& the_case = run.loaded.spec;
+  const bool several = compared.size() > 1;
+  for (const SeriesError& error : errors) {
+    const bool of_figure = error.given_run && the_case.references[error.reference].name == spec.reference &&
+                           (error.column == spec.x || error.column == spec.y) && !error.times.empty();
+    if (!of_figure) continue;
+    panel.series.push_back(line(literal(given_name(error, the_case) + (several ? ": " + error.column : "")),
+                                error.times, error.difference));
+    panel.series.back().dash = given_dash(*error.given_run);
+    panel.series.back().color = !several                                   ? given_color(*error.given_run)
+                                : error.column == compared.front()->column ? palette[0]
+                                                                           : palette[1];
+  }
 }
 
 Series points(const std::string& name, std::vector<double> x, std::vector<double> y) {
@@ -90,20 +133,31 @@ void add_uncertainties(const Run& run, const std::vector<const SeriesError*>& er
 }
 
 Panel difference_panel(const Run& run, const std::vector<const SeriesError*>& errors) {
+  const Case& spec = run.loaded.spec;
+  const bool alone = spec.given_runs.empty() || (reports_given_run(spec) && spec.given_runs.size() == 1);
   Panel panel;
   panel.height_share = difference_share;
   panel.x.label = "time [s]";
-  panel.y.label = fmt::format("Plumb − ref. [{}]", unit_markup(errors.front()->unit));
+  panel.y.label = fmt::format("{} − ref. [{}]", alone ? literal(reported_name(spec)) : "run",
+                              unit_markup(errors.front()->unit));
   panel.y.zero_line = true;
   for (const SeriesError* error : errors)
-    panel.series.push_back(
-        line(errors.size() > 1 ? literal(error->column) : "", error->times, error->difference));
+    panel.series.push_back(line(literal(errors.size() > 1 ? error->column
+                                        : alone           ? ""
+                                                          : reported_name(spec)),
+                                error->times, error->difference));
   add_uncertainties(run, errors, panel);
   return panel;
 }
 
-std::string alt_text(const FigureSpec& spec, const std::vector<const SeriesError*>& compared) {
+std::string alt_text(const Case& the_case, const FigureSpec& spec,
+                     const std::vector<const SeriesError*>& compared) {
   std::string text = fmt::format("Plot of {} over {}", spec.y, spec.x == "t" ? "time" : spec.x);
+  if (!the_case.given_runs.empty()) {
+    text += " by " + reported_name(the_case);
+    for (std::size_t k = reports_given_run(the_case) ? 1 : 0; k < the_case.given_runs.size(); ++k)
+      text += ", " + the_case.given_runs[k].name;
+  }
   for (const SeriesError* error : compared)
     text += fmt::format("{} {}: greatest difference {:.3g} {} at {:.4g} s",
                         error == compared.front() ? " with the reference's points under it." : ";",
@@ -117,7 +171,7 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   panel.x.label = label(spec.x_label, spec.x, x.unit);
   panel.y.label = label(spec.y_label, spec.y, y.unit);
   panel.equal_axes = spec.equal_axes;
-  panel.series.push_back(line("Plumb", x.values, y.values));
+  panel.series.push_back(line(literal(reported_name(run.loaded.spec)), x.values, y.values));
 
   std::vector<const SeriesError*> compared;
   const SeriesError* of_y = find_error(run, errors, spec, spec.y);
@@ -132,16 +186,19 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
     compared.push_back(of_y);
   }
 
+  add_given_runs(run, spec, panel);
+
   Figure figure;
   figure.name = spec.name;
   figure.title = title_of(run, spec.title.empty() ? spec.name : spec.title);
-  figure.alt = alt_text(spec, compared);
+  figure.alt = alt_text(run.loaded.spec, spec, compared);
   figure.plot.height = spec.equal_axes ? 1800 : 1200;
   panel.shares_x_below = spec.x == "t" && !compared.empty();
   if (spec.x == "t") mark_ending(run, panel);
   figure.plot.panels.push_back(std::move(panel));
   if (!compared.empty()) {
     figure.plot.panels.push_back(difference_panel(run, compared));
+    add_given_differences(run, spec, errors, compared, figure.plot.panels.back());
     mark_ending(run, figure.plot.panels.back());
   }
   return figure;
@@ -193,8 +250,11 @@ Figure energy_figure(const Run& run) {
 std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& errors) {
   std::vector<Figure> result;
   for (const FigureSpec& spec : run.loaded.spec.figures) result.push_back(case_figure(run, spec, errors));
-  result.push_back(energy_figure(run));
-  for (Figure& figure : field_figures(run)) result.push_back(std::move(figure));
+  // Of a given run neither energies nor fields are known.
+  if (!run.trajectory.energies.empty()) {
+    result.push_back(energy_figure(run));
+    for (Figure& figure : field_figures(run)) result.push_back(std::move(figure));
+  }
   for (Figure& figure : result) {
     figure.plot.title = literal(figure.title);
     figure.plot.theme = run.loaded.spec.scene.theme;

@@ -16,6 +16,14 @@ long count(const JunitSuite& suite, VerdictStatus status) {
                        [&](const JunitCase& c) { return c.status == status; });
 }
 
+/// "rk4, 4 elements", or "given by chrono.csv".
+std::string integration_name(const Document& document) {
+  if (document.contains("computed_by")) return "given by " + document.at("computed_by").get<std::string>();
+  const Document& solve = document.at("solve");
+  return fmt::format("{}, {}", solve.at("method").get<std::string>(),
+                     counted(solve.at("elements").get<long>(), "element", "elements"));
+}
+
 }  // namespace
 
 std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
@@ -33,8 +41,7 @@ std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
 
 std::vector<JunitSuite> suites_of(const Document& document) {
   const Document& solve = document.at("solve");
-  const std::string name = fmt::format("{}, {}", solve.at("method").get<std::string>(),
-                                       counted(solve.at("elements").get<long>(), "element", "elements"));
+  const std::string name = integration_name(document);
   std::vector<JunitSuite> all = suites_of(verdicts_of(document));
   all.insert(
       all.begin(),

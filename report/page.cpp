@@ -5,6 +5,7 @@
 #include "engine/errors.h"
 #include "engine/integrate/method_info.h"
 #include "report/changes_html.h"
+#include "report/given_html.h"
 #include "report/page_tables.h"
 #include "report/page_template.h"
 #include "report/study_json.h"
@@ -52,7 +53,9 @@ const MethodInfo& method_of(const Document& the_case) {
   return *info;
 }
 
-std::string formulation_html(const Document& the_case) {
+std::string formulation_html(const Document& document) {
+  const Document& the_case = document.at("case");
+  if (document.contains("computed_by")) return given_formulation_html(document);
   const Document& cable = the_case.at("cable");
   const MethodInfo& method = method_of(the_case);
   data formulation;
@@ -75,7 +78,8 @@ std::string to_page(const Document& document, const Pictures& pictures) {
                  &energy = document.at("energy");
   const std::vector<Verdict> verdicts = verdicts_of(document);
   const bool solved = document.at("complete").get<bool>();
-  const bool dynamic = method_of(the_case).dynamic;
+  const bool given = document.contains("computed_by");
+  const bool dynamic = given || method_of(the_case).dynamic;
   const std::string outcome = solve.at("outcome").get<std::string>();
 
   data page;
@@ -106,11 +110,22 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["frames"] = std::to_string(pictures.frames);
   page["frame_rate"] = number(pictures.frame_rate);
   page["end_time"] = number(solve.at("end_time"));
-  page["first_kinetic"] = energy.at("kinetic").empty() ? "not run" : number(energy.at("kinetic").front());
-  page["drift"] = number(energy.at("drift"));
-  page["drift_in_words"] = energy.at("drift_in_words").get<std::string>();
+  page["given"] = given;
+  page["computed_by"] = given ? text("computed_by") : std::string();
+  page["reported"] = document.value("reported", "Plumb");
+  page["animated"] = pictures.animated();
+  data notes{data::type::list};
+  for (const std::string& note : pictures.animation_notes) notes.push_back(data{"note", note});
+  page.set("animation_notes", notes);
+  page["has_given_runs"] = document.contains("given_runs");
+  if (document.contains("given_runs")) page["given_runs"] = given_runs_html(document);
+  if (!energy.is_null()) {
+    page["first_kinetic"] = energy.at("kinetic").empty() ? "not run" : number(energy.at("kinetic").front());
+    page["drift"] = number(energy.at("drift"));
+    page["drift_in_words"] = energy.at("drift_in_words").get<std::string>();
+  }
   page["cost"] = cost_rows(document);
-  page["formulation"] = formulation_html(the_case);
+  page["formulation"] = formulation_html(document);
   page["case_rows"] = case_rows(document);
   set_case_and_provenance(page, document);
   const std::string changes = changes_html(document);

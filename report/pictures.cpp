@@ -16,6 +16,7 @@
 #include "render/png.h"
 #include "render/scene.h"
 #include "report/figure_csv.h"
+#include "report/scene_shown.h"
 
 namespace plumb {
 namespace {
@@ -63,9 +64,8 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    encoding.push_back(std::async(std::launch::async, [image = plots.draw(figure.plot), &texts] {
-      return encode_png(image, texts);
-    }));
+    encoding.push_back(std::async(
+        std::launch::async, [image = plots.draw(figure.plot), &texts] { return encode_png(image, texts); }));
     if (encoding.size() > waiting) take_first();
   }
   while (!encoding.empty()) take_first();
@@ -82,7 +82,7 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
   return pictures;
 }
 
-Pictures draw(const Run& run, SceneInput input, const std::vector<SeriesError>& errors,
+Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesError>& errors,
               const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
               const DrawingProgress& progress) {
   Pictures result;
@@ -91,8 +91,16 @@ Pictures draw(const Run& run, SceneInput input, const std::vector<SeriesError>& 
   const PngTexts texts = picture_texts(context, run.loaded.source.file.name);
   result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
+  result.renderer = context.info().fingerprint();
+  result.animation_notes = shown.notes();
+  if (shown.motion() == nullptr) {
+    stages.end();
+    return result;
+  }
+
   stages.begin("frames");
-  SceneRenderer scene(context, run.trajectory, input);
+  SceneInput input = shown.input();
+  SceneRenderer scene(context, *shown.motion(), input);
   std::vector<std::string> frames;
   const FrameRange asked = range_within(scene, range);
   stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
@@ -108,7 +116,7 @@ Pictures draw(const Run& run, SceneInput input, const std::vector<SeriesError>& 
   write_file(folder.file("animation.png"), join_apng(frames, input.spec.frame_rate));
   frames.clear();
   input.spec = page_scene(input.spec);
-  SceneRenderer small(context, run.trajectory, input);
+  SceneRenderer small(context, *shown.motion(), input);
   stream_frames(small, range_within(small, {}), texts, PngEffort::small,
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_animation = join_apng(frames, input.spec.frame_rate);
@@ -117,7 +125,6 @@ Pictures draw(const Run& run, SceneInput input, const std::vector<SeriesError>& 
   result.player_frame_rate = input.spec.frame_rate;
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];
-  result.renderer = context.info().fingerprint();
   stages.end();
   return result;
 }

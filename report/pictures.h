@@ -10,6 +10,7 @@
 #include "render/gl_context.h"
 #include "render/png.h"
 #include "report/figures.h"
+#include "report/scene_of_run.h"
 #include "report/stages.h"
 
 namespace plumb {
@@ -36,6 +37,10 @@ struct Pictures {
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
   std::string renderer;           ///< GlInfo::fingerprint() of what drew them
+  /// What given runs are drawn through, or why there is no animation; a sentence each.
+  std::vector<std::string> animation_notes = {};
+
+  bool animated() const { return frames > 0; }
 };
 
 /// What every picture file says of itself: program, title, and what drew it.
@@ -61,9 +66,9 @@ FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRan
 inline constexpr const char* player_file = "player.png";
 
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
-/// animation.png and player.png. `scene` is what the frames show. Throws OutputError when drawing or writing
-/// fails, Interrupted when the user stops it.
-Pictures draw(const Run& run, SceneInput scene, const std::vector<SeriesError>& errors,
+/// animation.png and player.png; of a given run that does not tell enough, figures alone. `scene` is what the
+/// frames show. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+Pictures draw(const Run& run, const SceneOfRun& scene, const std::vector<SeriesError>& errors,
               const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
               const DrawingProgress& progress = {});
 

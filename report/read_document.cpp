@@ -97,10 +97,13 @@ Pictures pictures_of(const Document& document, const std::string& folder) {
   pictures.player_frame_rate = animation.at("player_frame_rate").get<double>();
   pictures.page_animation_width = animation.at("width").get<int>();
   pictures.page_animation_height = animation.at("height").get<int>();
+  pictures.renderer = document.at("renderer").get<std::string>();
+  if (animation.contains("notes"))
+    pictures.animation_notes = animation.at("notes").get<std::vector<std::string>>();
+  if (!pictures.animated()) return pictures;
   const std::string player = (path / player_file).string();
   pictures.page_animation = read_whole_file(player);
   pictures.page_still = split_apng(pictures.page_animation, player).back();
-  pictures.renderer = document.at("renderer").get<std::string>();
   return pictures;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/output/run.h"
 #include "engine/study/study_file.h"
+#include "report/given_distance.h"
 #include "report/series_error.h"
 #include "report/stages.h"
 #include "report/verdict.h"
@@ -18,12 +19,14 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;  ///< one for each of `errors`
+  std::vector<Verdict> verdicts;  ///< one for each of `errors`, and then those of `distances`
   Stages stages;                  ///< those before the report itself
   const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
   /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
   /// not met; else how the integration itself ended.
   Outcome outcome = Outcome::not_run;
+
+  std::vector<GivenDistance> distances = {};  ///< of given runs to the one that is reported
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };

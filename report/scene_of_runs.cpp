@@ -70,11 +70,11 @@ std::string known_components(const PositionSeries& position) {
 
 }  // namespace
 
-SceneInput scene_of_runs(const std::string& path, const Run& run, const std::vector<OtherRun>& others) {
-  SceneInput scene = scene_input(run.loaded.spec);
-  if (others.empty()) return scene;
-  check_drawable(path, run.trajectory);
-  const double end = run.trajectory.times.back();
+void add_other_runs(SceneInput& scene, const std::string& path, const Trajectory& motion,
+                    const std::vector<OtherRun>& others) {
+  if (others.empty()) return;
+  check_drawable(path, motion);
+  const double end = motion.times.back();
   std::map<std::string, int> names;
   ++names[short_name(path)];
   for (const OtherRun& other : others) {
@@ -91,20 +91,19 @@ SceneInput scene_of_runs(const std::string& path, const Run& run, const std::vec
     return names[name] == 1 ? name : named;
   };
   scene.label = label(path);
-  const ViewAxes axes = view_axes(run.trajectory, scene);
-  double side = reach_along(run.trajectory, axes.right);
+  const ViewAxes axes = view_axes(motion, scene);
+  double side = reach_along(motion, axes.right);
   for (const OtherRun& other : others) {
     SceneRun shown = scene_run(other.run.loaded.spec, other.run.trajectory, label(other.path));
     if (other.beside) side = put_beside(shown, axes.right, side);
     scene.others.push_back(std::move(shown));
   }
-  return scene;
 }
 
-ReferencePoints reference_points(const Run& run, const SceneInput& scene) {
+ReferencePoints reference_points(const Run& run, const Trajectory& motion, const SceneInput& scene) {
   ReferencePoints result;
-  const ViewAxes axes = view_axes(run.trajectory, scene);
-  const double front = reach_along(run.trajectory, axes.back) + in_front * scene.radius;
+  const ViewAxes axes = view_axes(motion, scene);
+  const double front = reach_along(motion, axes.back) + in_front * scene.radius;
   const Case& spec = run.loaded.spec;
   for (std::size_t k = 0; k < spec.references.size(); ++k) {
     const Reference& reference = run.loaded.references[k];

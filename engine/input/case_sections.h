@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,13 @@
 // checked with what it is given. All throw InputError.
 namespace plumb {
 
-CableSpec read_cable(TableReader table);
+/// Without `elements` where the run that is reported is a given one, which has no mesh: 0 then.
+CableSpec read_cable(TableReader table, bool has_mesh = true);
 StartSpec read_start(TableReader table);
 SupportsSpec read_supports(TableReader table, CableModel model);
 LoadsSpec read_loads(TableReader table);
-TimeSpec read_time(TableReader table);
+/// `end` (s) is where the time ends unless the table says so.
+TimeSpec read_time(TableReader table, std::optional<double> end = {});
 
 /// [method]: the method's keys and no other, with defaults filled in.
 MethodSpec read_method(TableReader table, const TimeSpec& time);
@@ -39,6 +42,22 @@ using ReferenceText = std::function<FileText(const std::string& file)>;
 ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
                                const ReferenceText& text_of, const std::vector<ProbeSpec>& probes,
                                const TimeSpec& time);
+
+/// What [[run]] says and the runs it names, in the same order.
+struct GivenRunsRead {
+  std::vector<GivenRunSpec> specs;
+  std::vector<GivenRun> runs;
+  std::vector<NamedText> texts;  ///< one a file
+  std::vector<std::string> remarks;
+};
+
+GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::string& case_name,
+                              const ReferenceText& text_of, const std::vector<ProbeSpec>& probes);
+
+/// Refuses a given run that lacks a column which a comparison or a figure of the case needs, unless its table
+/// says that there is none.
+void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
+                      const std::vector<GivenRun>& runs);
 
 std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std::vector<ProbeSpec>& probes,
                                      const std::vector<ReferenceUse>& references);

@@ -61,8 +61,12 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
     root.refuse_value("title", fmt::format("must be at most {} bytes long", longest_title));
   const TableReader cable = root.required_table("cable", "a table [cable]"), start = root.table("start");
   const TableReader supports = root.table("supports"), loads = root.table("loads");
-  const TableReader method = root.required_table("method", "a table [method]"),
-                    time = root.required_table("time", "a table [time]");
+  std::vector<TableReader> runs = root.tables("run");
+  const bool given_only = studies == Studies::read && !runs.empty() && !root.has("method");
+  const TableReader method = given_only ? root.table("method")
+                                        : root.required_table(
+                                              "method", "a table [method], or a [[run]] that was computed"),
+                    time = given_only ? root.table("time") : root.required_table("time", "a table [time]");
   const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
@@ -70,40 +74,54 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   root.finish();
 
   spec.parameters = parameters.values();
-  spec.cable = read_cable(cable);
+  spec.cable = read_cable(cable, !given_only);
   spec.start = read_start(start);
   spec.supports = read_supports(supports, spec.cable.model);
   spec.loads = read_loads(loads);
-  spec.time = read_time(time);
-  spec.method = read_method(method, spec.time);
-  if (!find_method(spec.method.name)->dynamic) {
+  spec.probes = read_probes(probes);
+  GivenRunsRead given;
+  if (studies == Studies::read) given = read_given_runs(runs, file.name, text_of, spec.probes);
+  spec.given_runs = std::move(given.specs);
+  if (given_only) {
+    const double last = given.runs.front().times.back();
+    if (!(last > 0)) runs.front().refuse_value("file", fmt::format("ends at {} s; must end after 0 s", last));
+    spec.time = read_time(time, last);
+  } else {
+    spec.time = read_time(time);
+    spec.method = read_method(method, spec.time);
+  }
+  if (!given_only && !find_method(spec.method.name)->dynamic) {
     const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
   }
-  spec.probes = read_probes(probes);
   ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
+  if (studies == Studies::read) check_given_runs(runs, spec, given.runs);
+  if (given_only && root.has("study"))
+    root.refuse_value("study", "a case without [method] has no studies: they vary runs of Plumb's own");
   if (studies == Studies::read) read_studies(study, file, overrides, text_of, spec);
 
   loaded.references = std::move(read.references);
-  loaded.source = {file, overrides, std::move(read.texts)};
+  loaded.given_runs = std::move(given.runs);
+  loaded.source = {file, overrides, std::move(read.texts), std::move(given.texts)};
   loaded.remarks.insert(loaded.remarks.end(), read.remarks.begin(), read.remarks.end());
+  loaded.remarks.insert(loaded.remarks.end(), given.remarks.begin(), given.remarks.end());
   for (const std::string& name : parameters.unused()) {
     loaded.remarks.push_back(fmt::format("parameters.{} is not used", name));
   }
   return loaded;
 }
 
-/// Gives the texts of references that a source holds, which must outlive it.
+/// Gives the texts of references and given runs that a source holds, which must outlive it.
 ReferenceText texts_of(const CaseSource& source) {
   return [&](const std::string& name) {
-    const auto found = std::find_if(source.references.begin(), source.references.end(),
-                                    [&](const NamedText& reference) { return reference.name == name; });
-    return found != source.references.end() ? FileText{found->text, ""}
-                                            : FileText{"", "its text is not among those of the case"};
+    for (const auto* files : {&source.references, &source.given_runs})
+      for (const NamedText& file : *files)
+        if (file.name == name) return FileText{file.text, ""};
+    return FileText{"", "its text is not among those of the case"};
   };
 }
 

@@ -8,11 +8,15 @@ namespace plumb {
 
 /// [[run]]: a trajectory that another program computed, reported on as one of Plumb's own.
 struct GivenRunSpec {
-  std::string name;                            ///< unique; default: the file's name without its ending
-  std::string file;                            ///< CSV with a header, or HDF5; relative to the case file
-  std::string program;                         ///< what computed it, with its version; may be empty
-  std::map<std::string, std::string> columns;  ///< "t" or a column of the probes -> the file's name for it
-  std::map<std::string, std::string> units;    ///< "t" or a column of the probes -> its unit in the file
+  std::string name;     ///< unique; default: the file's name without its ending
+  std::string file;     ///< CSV with a header, or HDF5; relative to the case file
+  std::string program;  ///< what computed it, with its version; may be empty
+  /// "t" or a column of the probes -> the file's name for it; an empty one: the file does not have it.
+  std::map<std::string, std::string> columns;
+  std::map<std::string, std::string> units;  ///< "t" or a column of the probes -> its unit in the file
+  /// Column of the probes -> how far it may be from the run that is reported, in the column's unit, > 0.
+  std::map<std::string, double> tolerances;
+  std::string reason;  ///< why these tolerances; may be empty
 
   friend bool operator==(const GivenRunSpec&, const GivenRunSpec&) = default;
 };

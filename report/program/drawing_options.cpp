@@ -57,18 +57,19 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
   return load_case(source);
 }
 
-SceneInput asked_scene(const Run& run, const Options& options, std::vector<OtherRun>& others, Talk& talk) {
+void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,
+               Talk& talk) {
+  if (scene.motion() == nullptr) return;
   for (const std::string& path : options.over) others.push_back({path, find_run(path), false});
   for (const std::string& path : options.beside) others.push_back({path, find_run(path), true});
-  SceneInput scene = scene_of_runs(options.input, run, others);
-  if (!options.points) return scene;
-  ReferencePoints points = reference_points(run, scene);
+  add_other_runs(scene.input(), options.input, *scene.motion(), others);
+  if (!options.points) return;
+  ReferencePoints points = reference_points(run, *scene.motion(), scene.input());
   if (points.series.empty())
     throw UsageError(fmt::format("--points: there is none to show{}{}", points.left_out.empty() ? "" : ": ",
                                  fmt::join(points.left_out, "; ")));
   for (const std::string& reason : points.left_out) talk.remark("--points: " + reason);
-  scene.points = std::move(points.series);
-  return scene;
+  scene.input().points = std::move(points.series);
 }
 
 }  // namespace plumb

@@ -7,6 +7,7 @@
 #include "render/frame_stream.h"
 #include "report/program/options.h"
 #include "report/program/talk.h"
+#include "report/scene_of_run.h"
 #include "report/scene_of_runs.h"
 
 namespace plumb {
@@ -19,9 +20,10 @@ std::optional<FrameRange> asked_frames(const Options& options);
 /// also where --set is given a key that is not of the scene, and InputError.
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options);
 
-/// The scene of a run with the others that --over and --beside ask for, read into `others`, which must
-/// outlive what draws the scene, and with the points that --points asks for; says which it leaves out. Throws
-/// InputError, and UsageError where there is no point to show.
-SceneInput asked_scene(const Run& run, const Options& options, std::vector<OtherRun>& others, Talk& talk);
+/// Adds to the scene of a run the others that --over and --beside ask for, read into `others`, which must
+/// outlive what draws the scene, and the points that --points asks for; says which it leaves out. Nothing
+/// where there is no motion to draw. Throws InputError, and UsageError where there is no point to show.
+void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,
+               Talk& talk);
 
 }  // namespace plumb

@@ -11,15 +11,17 @@
 #include "report/program/verbs.h"
 #include "report/program/video.h"
 #include "report/program/work.h"
+#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {
 
 /// Frames as PNG files one after another on standard output, for an encoder.
-ExitStatus stream_to_standard_output(const Run& run, const SceneInput& input, const Options& options,
+ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, const Options& options,
                                      Talk& talk) {
+  if (shown.motion() == nullptr) throw OutputError("there are no frames: " + shown.notes().front());
   const GlContext context;
-  SceneRenderer scene(context, run.trajectory, input);
+  SceneRenderer scene(context, *shown.motion(), shown.input());
   const FrameRange range = range_within(scene, asked_frames(options));
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
@@ -43,7 +45,8 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   Run run = find_run(options.input);
   run.loaded = with_asked_scene(run.loaded, options);
   std::vector<OtherRun> others;
-  const SceneInput scene = asked_scene(run, options, others, talk);
+  SceneOfRun scene(run);
+  add_asked(scene, run, options, others, talk);
   if (to_standard_output) return stream_to_standard_output(run, scene, options, talk);
   OutputFolder folder(output_path_of_run(options));
   std::unique_ptr<Video> video;
@@ -58,6 +61,7 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
       video->add(read_whole_file(folder.file(fmt::format("frames/{:04}.png", k))));
+    if (!pictures.animated()) throw OutputError("there is no video: " + pictures.animation_notes.front());
     video->finish();
     stages.end();
   }

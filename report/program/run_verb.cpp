@@ -21,8 +21,8 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   // Before any work: a baseline that is not there would be found out too late.
   if (!options.baseline.empty()) find_document(options.baseline);
   OutputFolder folder(output_path(options, loaded));
-  stages.begin("solving");
-  Run run = solve(loaded, talk);
+  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
+  Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");

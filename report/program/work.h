@@ -19,6 +19,12 @@ LoadedCase load(const Options& options, Talk& talk);
 /// Integrates a case and takes down what it was done with; says how it went.
 Run solve(const LoadedCase& loaded, Talk& talk);
 
+/// The same, or the given run of a case without [method].
+Run solve_or_take(const LoadedCase& loaded, Talk& talk);
+
+/// Throws UsageError for a case without [method], of which nothing can be solved.
+void refuse_without_method(const LoadedCase& loaded);
+
 /// The folder for a case's results: that of -o, or output/ and the case file's name.
 std::string output_path(const Options& options, const LoadedCase& loaded);
 
@@ -44,7 +50,7 @@ ExitStatus status_of(const Document& document);
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
 
 /// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
-Pictures draw_pictures(const Run& run, SceneInput scene, const std::optional<FrameRange>& range,
+Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
                        OutputFolder& folder, Stages& stages, Talk& talk);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.

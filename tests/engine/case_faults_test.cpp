@@ -129,7 +129,7 @@ TEST(CaseFaults, AMissingKeyIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:1:1: time: missing; required: a table [time]"},
       {"[cable]\n", "[cable_]\n", "case.toml:5:2: cable_: unknown table; did you mean \"cable\"?"},
       {"[method]\nname = \"generalized-alpha\"\nstep = 1e-3\nspectral_radius = 0.9\nnewton_iterations = 15\n",
-       "", "case.toml:1:1: method: missing; required: a table [method]"},
+       "", "case.toml:1:1: method: missing; required: a table [method], or a [[run]] that was computed"},
   });
 }
 

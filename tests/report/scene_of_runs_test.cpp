@@ -81,7 +81,8 @@ TEST_F(SceneOfRuns, ThoseOverStayAndThoseBesideStandApartToTheRight) {
   others.push_back({"fine", read_run((*folder / "fine/run.h5").string()), false});
   others.push_back({"a", read_run((*folder / "fine/run.h5").string()), true});
   others.push_back({"b", read_run((*folder / "other/coarse/run.h5").string()), true});
-  const SceneInput scene = scene_of_runs("coarse", first, others);
+  SceneInput scene = scene_input(first.loaded.spec);
+  add_other_runs(scene, "coarse", first.trajectory, others);
   ASSERT_EQ(scene.others.size(), 3U);
   EXPECT_EQ(scene.others[0].offset, Vec3::Zero());
   const Vec3 right = scene.others[1].offset.normalized();
@@ -109,7 +110,8 @@ TEST_F(SceneOfRuns, LabelsAreFoldersOrPathsWhereTwoFoldersHaveOneName) {
   std::vector<OtherRun> others;
   others.push_back({"some/fine/", read("fine"), false});
   others.push_back({"other/coarse/run.h5", read("other/coarse"), false});
-  const SceneInput scene = scene_of_runs("coarse", first, others);
+  SceneInput scene = scene_input(first.loaded.spec);
+  add_other_runs(scene, "coarse", first.trajectory, others);
   EXPECT_EQ(scene.label, "coarse");
   EXPECT_EQ(scene.others[0].label, "fine");
   EXPECT_EQ(scene.others[1].label, "other/coarse/run.h5");
@@ -132,7 +134,7 @@ TEST_F(SceneOfRuns, PointsAreAtThePublishedPlaces) {
   plumb::Run run = read_run((*folder / "coarse/run.h5").string());
   SceneInput scene = scene_input(run.loaded.spec);
   scene.spec.view = View::top;
-  const ReferencePoints flat = reference_points(run, scene);
+  const ReferencePoints flat = reference_points(run, run.trajectory, scene);
   ASSERT_EQ(flat.series.size(), 2U);  // published and converged
   const Reference& published = run.loaded.references[0];
   ASSERT_EQ(flat.series[0].places.size(), published.times.size());
@@ -148,7 +150,7 @@ TEST_F(SceneOfRuns, PointsAreAtThePublishedPlaces) {
   // With the third component known, any view will do and all three are taken.
   run.loaded.spec.references[0].compare.push_back({"mid_y", "tip.y"});
   scene.spec.view = View::orbit;
-  const ReferencePoints whole = reference_points(run, scene);
+  const ReferencePoints whole = reference_points(run, run.trajectory, scene);
   ASSERT_EQ(whole.series.size(), 1U);
   for (std::size_t i = 0; i < published.times.size(); ++i)
     EXPECT_EQ(whole.series[0].places[i].y(), published.find("mid_y")->values[i]);
@@ -173,7 +175,8 @@ TEST_F(SceneOfRuns, RunsThatCannotBeShownTogetherAreRefusedByName) {
   others.push_back({"fine", first, false});
   others[0].run.trajectory.q[2][3] = std::nan("");
   try {
-    scene_of_runs("coarse", first, others);
+    SceneInput scene = scene_input(first.loaded.spec);
+    add_other_runs(scene, "coarse", first.trajectory, others);
     FAIL() << "a state that is not finite was taken";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("fine: the run cannot be drawn: the state at"),
