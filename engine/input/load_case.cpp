@@ -6,6 +6,7 @@
 #include "engine/errors.h"
 #include "engine/input/case_sections.h"
 #include "engine/input/case_source.h"
+#include "engine/input/changed_case.h"
 #include "engine/input/method_keys.h"
 #include "engine/input/override.h"
 #include "engine/input/parameters.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr std::size_t longest_title = 500;
 
-/// What is made of [study]: everything, or nothing for a case that is itself a part of a study.
+/// What is made of [study], [uncertainty] and [error_budget]: everything, or nothing for a case that is
+/// itself a part of one of them.
 enum class Studies { read, ignored };
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
@@ -66,7 +68,9 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
-  const TableReader study = root.table("study");
+  const TableReader study = root.table("study"), uncertainty = root.table("uncertainty");
+  const TableReader error_budget = root.table("error_budget");
+  const bool has_uncertainty = root.has("uncertainty"), has_error_budget = root.has("error_budget");
   root.finish();
 
   spec.parameters = parameters.values();
@@ -86,7 +90,15 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
-  if (studies == Studies::read) read_studies(study, file, overrides, text_of, spec);
+  if (studies == Studies::read) {
+    read_studies(study, file, overrides, text_of, spec);
+    if (has_uncertainty) spec.uncertainty = read_uncertainty(uncertainty, spec);
+    if (has_error_budget)
+      spec.error_budget =
+          read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
+            return read_case(file, joined_overrides(overrides, more), text_of, Studies::ignored).spec;
+          });
+  }
 
   loaded.references = std::move(read.references);
   loaded.source = {file, overrides, std::move(read.texts)};
@@ -125,6 +137,11 @@ LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
   std::vector<std::string> overrides = source.overrides;
   overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
   return read_case(source.file, overrides, texts_of(source), Studies::ignored);
+}
+
+LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {
+  return read_case(source.file, joined_overrides(source.overrides, overrides), texts_of(source),
+                   Studies::ignored);
 }
 
 }  // namespace plumb
