@@ -33,6 +33,7 @@ struct Options {
   std::optional<int> channel;          ///< of --channel
   std::optional<double> density;       ///< of --density
   std::optional<double> numbers;       ///< of --numbers
+  std::string from;                    ///< of --from; empty: not given
   bool accept = false;                 ///< --accept
   bool json = false;
   bool quiet = false;
