@@ -54,8 +54,11 @@ class CaseChanges {
 std::vector<std::string> joined_overrides(std::vector<std::string> before,
                                           const std::vector<std::string>& more);
 
-/// The case of a source with further overrides, joined with its own, and without studies, uncertainty and
-/// error budget. Throws InputError or UsageError where it is not valid.
+/// The case of a source without its studies, uncertainty and error budget, which are not read. Throws
+/// InputError or UsageError where it is not valid.
+LoadedCase load_without_studies(const CaseSource& source);
+
+/// The same with further overrides, joined with those of the source.
 LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides);
 
 }  // namespace plumb

@@ -139,6 +139,10 @@ LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
   return read_case(source.file, overrides, texts_of(source), Studies::ignored);
 }
 
+LoadedCase load_without_studies(const CaseSource& source) {
+  return read_case(source.file, source.overrides, texts_of(source), Studies::ignored);
+}
+
 LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {
   return read_case(source.file, joined_overrides(source.overrides, overrides), texts_of(source),
                    Studies::ignored);

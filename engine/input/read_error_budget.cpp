@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/errors.h"
 #include "engine/input/case_sections.h"
 #include "engine/input/changed_case.h"
 #include "engine/input/nearest.h"
@@ -66,9 +67,7 @@ BudgetSpec read_error_budget(TableReader table, const std::vector<ReferenceUse>&
     table.refuse_value("reference", "is the name of no [[reference]]" + suggestion(spec.reference, names));
   base.refuse_keys_in(closed_tables, closed_reason);
   const Case computed = base.read(with);
-  if (spec.interval > computed.time.end)
-    table.refuse_value("interval",
-                       fmt::format("must be at most the end of the run, {} (s)", computed.time.end));
+  spec.interval = std::min(spec.interval, computed.time.end);
   constexpr double most_times = 1e6;
   if (spec.interval > 0 && computed.time.end / spec.interval > most_times)
     table.refuse_value("interval", "must give at most 1,000,000 times");
@@ -79,11 +78,15 @@ BudgetSpec read_error_budget(TableReader table, const std::vector<ReferenceUse>&
   std::vector<std::string> together = spec.overrides;
   for (const BudgetItemSpec& item : spec.items)
     if (item.together) together = joined_overrides(std::move(together), item.overrides);
+  std::string fault;
   try {
     with(together);
-  } catch (const std::exception& error) {
-    table.refuse_value("item", fmt::format("all items together are no valid case: {}", error.what()));
+  } catch (const InputError& error) {
+    fault = error.what();
+  } catch (const UsageError& error) {
+    fault = error.what();
   }
+  if (!fault.empty()) table.refuse_value("item", "all items together are no valid case: " + fault);
   return spec;
 }
 
