@@ -9,6 +9,8 @@
 #include "engine/integrate/integrate.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/run_file.h"
+#include "report/budget_pictures.h"
+#include "report/budget_section.h"
 #include "report/report_files.h"
 #include "report/study_pictures.h"
 
@@ -25,6 +27,7 @@ constexpr const char* run_file_name = "run.h5";
 void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk) {
   say_verdicts(verdicts_of(document), talk);
   talk.line(document.at("headline").get<std::string>());
+  if (document.contains("error_budget")) talk.line(budget_in_words(document.at("error_budget")));
   talk.line("report: " + folder + "/index.html");
   if (options.json) write_to_standard_output(to_json(document));
 }
@@ -113,14 +116,19 @@ void say_stages(const Stages& stages, Talk& talk) {
 }
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study) {
+                           Talk& talk, const Study* study, const Assessment* assessment) {
   Pictures pictures = draw_pictures(run, {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
     pictures.study = draw_study(study->result, folder);
     stages.end();
   }
-  const Document document = document_of(evaluate(run, stages, study), pictures);
+  if (assessment && assessment->error_budget && assessment->error_budget->left_out.empty()) {
+    stages.begin("budget figure");
+    pictures.budget = draw_budget(*assessment->error_budget, folder);
+    stages.end();
+  }
+  const Document document = document_of(evaluate(run, stages, study, assessment), pictures);
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();
