@@ -123,7 +123,8 @@ Document document_of(const Results& results, const Pictures& pictures) {
   for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
   json["provenance"] = Json::object();
   for (const auto& [name, value] : run.provenance) json["provenance"][name] = value;
-  return json;
+  // As the file will say it, so that a page from the file is the same: what is not finite becomes null.
+  return Json::parse(to_json(json));
 }
 
 std::string to_json(const Document& document) {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "engine/errors.h"
 #include "engine/integrate/method_info.h"
 #include "report/budget_section.h"
+#include "report/changes_html.h"
 #include "report/page_tables.h"
 #include "report/page_template.h"
 #include "report/study_json.h"
@@ -45,9 +47,16 @@ data figure_rows(const std::vector<Picture>& pictures) {
   return rows;
 }
 
+const MethodInfo& method_of(const Document& the_case) {
+  const std::string name = the_case.at("method").at("name").get<std::string>();
+  const MethodInfo* info = find_method(name);
+  if (!info) throw InputError("results.json: no method is called " + name);
+  return *info;
+}
+
 std::string formulation_html(const Document& the_case) {
   const Document& cable = the_case.at("cable");
-  const MethodInfo& method = *find_method(the_case.at("method").at("name").get<std::string>());
+  const MethodInfo& method = method_of(the_case);
   data formulation;
   formulation["chain"] = cable.at("model") == word(CableModel::chain);
   formulation["green"] = cable.at("strain") == word(StrainModel::green_geometric);
@@ -68,7 +77,7 @@ std::string to_page(const Document& document, const Pictures& pictures) {
                  &energy = document.at("energy");
   const std::vector<Verdict> verdicts = verdicts_of(document);
   const bool solved = document.at("complete").get<bool>();
-  const bool dynamic = find_method(the_case.at("method").at("name").get<std::string>())->dynamic;
+  const bool dynamic = method_of(the_case).dynamic;
   const std::string outcome = solve.at("outcome").get<std::string>();
 
   data page;
@@ -111,6 +120,9 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["has_budget"] = document.contains("error_budget");
   if (document.contains("error_budget"))
     page["budget"] = budget_section(document.at("error_budget"), pictures.budget);
+  const std::string changes = changes_html(document);
+  page["has_changes"] = !changes.empty();
+  page["changes"] = changes;
   page["has_study"] = document.contains("work_precision");
   if (document.contains("work_precision")) {
     const WorkPrecision study = work_precision_from_json(document.at("work_precision"));

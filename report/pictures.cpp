@@ -46,17 +46,24 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
   return {{"Software", "Plumb"}, {"Title", title}, {renderer_keyword, context.info().fingerprint()}};
 }
 
-std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
-                                  const PngTexts& texts, OutputFolder& folder) {
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                   const PngTexts& texts) {
   std::vector<Picture> pictures;
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
-    write_file(folder.file(picture.file), picture.png);
-    write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), to_csv(figure.plot));
-    pictures.push_back(std::move(picture));
+    pictures.push_back({fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
+                        figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)});
+  }
+  return pictures;
+}
+
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                  const PngTexts& texts, OutputFolder& folder) {
+  std::vector<Picture> pictures = drawn_figures(figures, context, texts);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    write_file(folder.file(pictures[i].file), pictures[i].png);
+    write_file(folder.file(fmt::format("figures/{}.csv", figures[i].name)), to_csv(figures[i].plot));
   }
   return pictures;
 }

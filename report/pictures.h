@@ -42,6 +42,10 @@ struct Pictures {
 /// What every picture file says of itself: program, title, and what drew it.
 PngTexts picture_texts(const GlContext& context, const std::string& title);
 
+/// Draws figures. Throws OutputError when drawing fails, Interrupted when the user stops it.
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                   const PngTexts& texts);
+
 /// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
 /// when drawing or writing fails, Interrupted when the user stops it.
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,

@@ -1,4 +1,7 @@
+#include "engine/errors.h"
 #include "report/program/assessment_work.h"
+#include "report/program/from_document.h"
+#include "report/program/many_reports.h"
 #include "report/program/study_kinds.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
@@ -7,6 +10,12 @@
 namespace plumb {
 
 ExitStatus report_verb(const Options& options, Talk& talk) {
+  if (!options.from.empty()) {
+    if (!options.inputs.empty()) throw UsageError("--from takes the place of RUN");
+    return report_from_document(options, talk);
+  }
+  if (options.inputs.empty()) throw UsageError("report needs a RUN, or --from results.json");
+  if (options.inputs.size() > 1) return index_many(matching_paths(options.inputs), options, talk);
   Stages stages;
   stages.begin("reading");
   if (is_study(options.input)) {

@@ -1,4 +1,6 @@
 #include "report/program/assessment_work.h"
+#include "report/program/earlier_report.h"
+#include "report/program/many_reports.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -6,9 +8,19 @@
 namespace plumb {
 
 ExitStatus run_verb(const Options& options, Talk& talk) {
+  const std::vector<std::string> cases = matching_paths(options.inputs);
+  if (cases.size() > 1) return run_many(cases, options, talk);
+  Options one = options;
+  one.input = cases.front();
+  return run_one(one, talk);
+}
+
+ExitStatus run_one(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
   const LoadedCase loaded = load(options, talk);
+  // Before any work: a baseline that is not there would be found out too late.
+  if (!options.baseline.empty()) find_document(options.baseline);
   OutputFolder folder(output_path(options, loaded));
   stages.begin("solving");
   const Run run = solve(loaded, talk);

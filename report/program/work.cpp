@@ -11,6 +11,7 @@
 #include "engine/output/run_file.h"
 #include "report/budget_pictures.h"
 #include "report/budget_section.h"
+#include "report/program/earlier_report.h"
 #include "report/report_files.h"
 #include "report/study_pictures.h"
 
@@ -128,7 +129,8 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
     pictures.budget = draw_budget(*assessment->error_budget, folder);
     stages.end();
   }
-  const Document document = document_of(evaluate(run, stages, study, assessment), pictures);
+  Document document = document_of(evaluate(run, stages, study, assessment), pictures);
+  hold_against_earlier(document, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();

@@ -48,6 +48,9 @@ Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, O
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
                            Talk& talk, const Study* study = nullptr, const Assessment* assessment = nullptr);
 
+/// `plumb run` of one case.
+ExitStatus run_one(const Options& options, Talk& talk);
+
 /// Says where the time went, and the peak memory.
 void say_stages(const Stages& stages, Talk& talk);
 

@@ -173,15 +173,17 @@ TEST(Outcome, IsInEveryPartOfTheReport) {
   for (const auto& [tolerance, word] : {std::pair{0.125, "accurate"}, {0.05, "inaccurate"}}) {
     run.loaded.spec.references[0].tolerance = tolerance;
     const Results results = evaluate(run, {});
-    const nlohmann::json json = nlohmann::json::parse(to_json(results));
+    const nlohmann::json json = nlohmann::json::parse(to_json(document_of(results, {})));
     EXPECT_EQ(json["outcome"], word);
     EXPECT_EQ(json["outcome_reason"], outcome_reason(results));
     EXPECT_EQ(json["complete"], true);
     EXPECT_EQ(json["solve"]["outcome"], "completed") << "what the integration alone can say";
-    EXPECT_NE(to_summary(results).find("Outcome: **" + std::string(word) + "**"), std::string::npos);
-    EXPECT_NE(to_junit(results).find("<property name=\"outcome\" value=\"" + std::string(word) + "\"/>"),
+    EXPECT_NE(to_summary(document_of(results, {})).find("Outcome: **" + std::string(word) + "**"),
               std::string::npos);
-    EXPECT_NE(to_page(results, {}).find(std::string(word) + ": "), std::string::npos);
+    EXPECT_NE(to_junit(document_of(results, {}))
+                  .find("<property name=\"outcome\" value=\"" + std::string(word) + "\"/>"),
+              std::string::npos);
+    EXPECT_NE(to_page(document_of(results, {}), {}).find(std::string(word) + ": "), std::string::npos);
   }
 }
 
@@ -221,7 +223,7 @@ TEST(Results, WhatIsNotFiniteIsNoNumberInJsonAndPassesNothing) {
     run.probes = probe(run.loaded.spec, run.trajectory);
     const Results results = evaluate(run, {});
     EXPECT_EQ(results.outcome, Outcome::inaccurate);
-    const std::string text = to_json(results);
+    const std::string text = to_json(document_of(results, {}));
     const nlohmann::json json = nlohmann::json::parse(text);
     EXPECT_TRUE(json["energy"]["bending"][1].is_null()) << json["energy"]["bending"];
     EXPECT_TRUE(json["probes"]["tip.y"]["values"][1].is_null());
@@ -261,17 +263,17 @@ TEST(Figures, OfARunThatFailedShowWhereItEnded) {
   run.trajectory.end_time = 0.01;
   EXPECT_EQ(figures(run, {})[0].plot.panels[0].x.range, (std::array<double, 2>{0, 0.02})) << "or nothing is";
   run.trajectory.end_time = 0.6;
-  const std::string page = to_page(evaluate(run, {}), {});
+  const std::string page = to_page(document_of(evaluate(run, {}), {}), {});
   const std::string mark = "Only the 0.6 s of 1 s before the run ended (unstable)";
   long marks = 0;
   for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + 1)) ++marks;
   EXPECT_EQ(marks, 4) << "figures, animation, errors and energies";
-  EXPECT_EQ(nlohmann::json::parse(to_json(evaluate(run, {})))["complete"], false);
+  EXPECT_EQ(nlohmann::json::parse(to_json(document_of(evaluate(run, {}), {})))["complete"], false);
 }
 
 TEST(Page, EscapesWhatTheCaseSays) {
   const plumb::Run run = run_with(R"(<script>alert('x')</script> & \"quotes\")");
-  const std::string page = to_page(evaluate(run, {}), {});
+  const std::string page = to_page(document_of(evaluate(run, {}), {}), {});
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; &amp; &quot;quotes&quot;"),
             std::string::npos);
@@ -281,14 +283,14 @@ TEST(Page, EscapesWhatTheCaseSays) {
 }
 
 TEST(Page, AsksNothingOfAnywhere) {
-  const std::string page = to_page(evaluate(run_with("a"), {}), {});
+  const std::string page = to_page(document_of(evaluate(run_with("a"), {}), {}), {});
   for (const char* word : {"http://", "https://", "src=\"/", "@import", "url("})
     EXPECT_EQ(page.find(word), std::string::npos) << word;
   EXPECT_NE(page.find("Content-Security-Policy"), std::string::npos);
 }
 
 TEST(Page, LeavesNoTemplateTagBehind) {
-  const std::string page = to_page(evaluate(run_with("a"), {}), {});
+  const std::string page = to_page(document_of(evaluate(run_with("a"), {}), {}), {});
   EXPECT_EQ(page.find("{{"), std::string::npos);
   EXPECT_EQ(page.find("}}"), std::string::npos);
 }
@@ -296,7 +298,7 @@ TEST(Page, LeavesNoTemplateTagBehind) {
 TEST(Page, SaysWhatTheCableIsModelledAsAndWhetherItMoves) {
   plumb::Run run = run_with("a");
   const auto says = [&](const char* text) {
-    return to_page(evaluate(run, {}), {}).find(text) != std::string::npos;
+    return to_page(document_of(evaluate(run, {}), {}), {}).find(text) != std::string::npos;
   };
   EXPECT_TRUE(says("The gradient-deficient element"));
   EXPECT_TRUE(says("The equations of motion are"));
@@ -316,14 +318,14 @@ TEST(Results, JsonHoldsTheLoadsAndTheModel) {
   const plumb::Run run = run_with("a",
                                   "[loads]\nend_force = [1, 2, 3]\n[start]\naxial_speed = 4\n"
                                   "[supports]\nfirst = \"pinned\"\n");
-  const nlohmann::json json = nlohmann::json::parse(to_json(evaluate(run, {})))["case"];
+  const nlohmann::json json = nlohmann::json::parse(to_json(document_of(evaluate(run, {}), {})))["case"];
   EXPECT_EQ(json["loads"]["end_force"], (nlohmann::json{1.0, 2.0, 3.0})) << json["loads"];
   EXPECT_EQ(json["start"]["axial_speed"], 4.0);
   EXPECT_EQ(json["cable"]["model"], "cable");
 }
 
 TEST(Results, JsonHoldsEveryNumberOfTheVerdict) {
-  const nlohmann::json json = nlohmann::json::parse(to_json(evaluate(run_with("a"), {})));
+  const nlohmann::json json = nlohmann::json::parse(to_json(document_of(evaluate(run_with("a"), {}), {})));
   EXPECT_EQ(json["schema_version"], results_version);
   EXPECT_NEAR(json["verdicts"][0]["value"].get<double>(), 0.1, 1e-15);
   EXPECT_EQ(json["verdicts"][0]["limit"], 0.125);
@@ -336,7 +338,7 @@ TEST(Results, JsonHoldsEveryNumberOfTheVerdict) {
 TEST(Results, JunitEscapesAndCounts) {
   plumb::Run run = run_with("a <&> \\\"b\\\"");
   run.loaded.spec.references[0].tolerance = 0.05;
-  const std::string xml = to_junit(evaluate(run, {}));
+  const std::string xml = to_junit(document_of(evaluate(run, {}), {}));
   EXPECT_NE(
       xml.find(
           "<testsuites name=\"a &lt;&amp;&gt; &quot;b&quot;\" tests=\"2\" failures=\"1\" skipped=\"0\">"),
@@ -350,7 +352,7 @@ TEST(Results, SummaryStaysBelowItsSizeWhateverTheCase) {
   const plumb::Run run = run_with("a");
   Results results = evaluate(run, {});
   results.verdicts.resize(5000, results.verdicts.front());
-  const std::string text = to_summary(results);
+  const std::string text = to_summary(document_of(results, {}));
   EXPECT_LT(text.size(), 64u * 1024);
   EXPECT_NE(text.find("more criteria are in results.json"), std::string::npos);
 }
@@ -374,13 +376,13 @@ TEST(Base64, FollowsTheStandardsExamples) {
 
 TEST(Page, ShowsReactionAndDriftOfTheJointWhereTheyWereComputedOnly) {
   plumb::Run run = run_with("a", "[supports]\nfirst = \"pinned\"\n");
-  const std::string without = to_page(evaluate(run, {}), {});
+  const std::string without = to_page(document_of(evaluate(run, {}), {}), {});
   EXPECT_EQ(without.find("greatest reaction at the joint"), std::string::npos);
   EXPECT_EQ(solve_json(run)["greatest_reaction"], -1);
   EXPECT_EQ(solve_json(run)["constraint_drift"], -1);
   run.trajectory.multipliers.assign(3, Eigen::Vector3d(3, 0, 4));
   run.trajectory.constraint_drift = 2e-15;
-  const std::string with = to_page(evaluate(run, {}), {});
+  const std::string with = to_page(document_of(evaluate(run, {}), {}), {});
   EXPECT_NE(with.find("greatest reaction at the joint"), std::string::npos);
   EXPECT_NE(with.find("5 N"), std::string::npos);
   EXPECT_NE(with.find("greatest drift of the joint"), std::string::npos);
