@@ -48,7 +48,6 @@ data series_rows(const Json& uncertainty) {
     const std::string at_least = series.at("at_least").get<bool>() ? "≥ " : "";
     data row;
     row["name"] = fmt::format("{}: {}", text_of(series, "reference"), text_of(series, "column"));
-    row["kind"] = series.at("published").get<bool>() ? "validation" : "verification";
     row["error"] = series.at("error_at_greatest").is_number()
                        ? fmt::format("{:+.3g}", series.at("error_at_greatest").get<double>())
                        : "not finite";

@@ -18,12 +18,17 @@ namespace {
 
 constexpr std::size_t longest_title = 500;
 
-/// What is made of [study], [uncertainty] and [error_budget]: everything, or nothing for a case that is
-/// itself a part of one of them.
-enum class Studies { read, ignored };
+/// How much of a case is read.
+enum class Extent {
+  everything,
+  without_studies,  ///< of a case that is itself a part of a study
+  motion,           ///< what the motion depends on, and neither what is compared nor what is drawn
+};
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of, Studies studies);
+                     const ReferenceText& text_of, Extent extent);
+LoadedCase read_case(const NamedText& file, const TomlValue& written,
+                     const std::vector<std::string>& overrides, const ReferenceText& text_of, Extent extent);
 
 void read_studies(TableReader study, const NamedText& file, const std::vector<std::string>& overrides,
                   const ReferenceText& text_of, Case& spec) {
@@ -40,13 +45,17 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
   spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
-    return read_case(file, all, text_of, Studies::ignored).spec;
+    return read_case(file, all, text_of, Extent::without_studies).spec;
   });
 }
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of, Studies studies) {
-  const TomlValue written = parse_toml(file);
+                     const ReferenceText& text_of, Extent extent) {
+  return read_case(file, parse_toml(file), overrides, text_of, extent);
+}
+
+LoadedCase read_case(const NamedText& file, const TomlValue& written,
+                     const std::vector<std::string>& overrides, const ReferenceText& text_of, Extent extent) {
   TomlValue merged = written;
   for (const std::string& text : overrides) apply_override(merged, text);
 
@@ -85,18 +94,19 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
   }
+  if (extent == Extent::motion) return loaded;
   spec.probes = read_probes(probes);
   ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
-  if (studies == Studies::read) {
+  if (extent == Extent::everything) {
     read_studies(study, file, overrides, text_of, spec);
     if (has_uncertainty) spec.uncertainty = read_uncertainty(uncertainty, spec);
     if (has_error_budget)
       spec.error_budget =
           read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
-            return read_case(file, joined_overrides(overrides, more), text_of, Studies::ignored).spec;
+            return read_case(file, written, joined_overrides(overrides, more), text_of, Extent::motion).spec;
           });
   }
 
@@ -126,26 +136,26 @@ LoadedCase load_case(const std::string& path, const std::vector<std::string>& ov
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return read_case(
       {path, text}, overrides,
-      [&](const std::string& name) { return read_file_text((folder / name).string()); }, Studies::read);
+      [&](const std::string& name) { return read_file_text((folder / name).string()); }, Extent::everything);
 }
 
 LoadedCase load_case(const CaseSource& source) {
-  return read_case(source.file, source.overrides, texts_of(source), Studies::read);
+  return read_case(source.file, source.overrides, texts_of(source), Extent::everything);
 }
 
 LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
   std::vector<std::string> overrides = source.overrides;
   overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
-  return read_case(source.file, overrides, texts_of(source), Studies::ignored);
+  return read_case(source.file, overrides, texts_of(source), Extent::without_studies);
 }
 
 LoadedCase load_without_studies(const CaseSource& source) {
-  return read_case(source.file, source.overrides, texts_of(source), Studies::ignored);
+  return read_case(source.file, source.overrides, texts_of(source), Extent::without_studies);
 }
 
 LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {
   return read_case(source.file, joined_overrides(source.overrides, overrides), texts_of(source),
-                   Studies::ignored);
+                   Extent::without_studies);
 }
 
 }  // namespace plumb
