@@ -1,6 +1,8 @@
 #include "report/document.h"
 
 #include "engine/integrate/method_info.h"
+#include "engine/study/budget_json.h"
+#include "engine/study/uncertainty_json.h"
 #include "report/case_json.h"
 #include "report/given_json.h"
 #include "report/study_json.h"
@@ -119,6 +121,12 @@ Document document_of(const Results& results, const Pictures& pictures) {
   if (results.study) {
     json["work_precision"] = work_precision_json(results.study->result);
     json["study_figures"] = picture_json(pictures.study);
+  }
+  if (results.assessment && results.assessment->uncertainty)
+    json["uncertainty"] = uncertainty_json(*results.assessment->uncertainty);
+  if (results.assessment && results.assessment->error_budget) {
+    json["error_budget"] = budget_json(*results.assessment->error_budget);
+    json["error_budget_figures"] = picture_json(pictures.budget);
   }
   json["case"] = case_json(run.loaded);
   json["seconds"] = Json::object();

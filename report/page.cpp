@@ -4,12 +4,14 @@
 
 #include "engine/errors.h"
 #include "engine/integrate/method_info.h"
+#include "report/budget_section.h"
 #include "report/changes_html.h"
 #include "report/given_html.h"
 #include "report/page_tables.h"
 #include "report/page_template.h"
 #include "report/study_json.h"
 #include "report/study_page.h"
+#include "report/uncertainty_section.h"
 #include "report/verdict_html.h"
 
 namespace plumb {
@@ -128,6 +130,11 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["formulation"] = formulation_html(document);
   page["case_rows"] = case_rows(document);
   set_case_and_provenance(page, document);
+  page["has_uncertainty"] = document.contains("uncertainty");
+  if (document.contains("uncertainty")) page["uncertainty"] = uncertainty_section(document.at("uncertainty"));
+  page["has_budget"] = document.contains("error_budget");
+  if (document.contains("error_budget"))
+    page["budget"] = budget_section(document.at("error_budget"), pictures.budget);
   const std::string changes = changes_html(document);
   page["has_changes"] = !changes.empty();
   page["changes"] = changes;

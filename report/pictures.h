@@ -27,7 +27,8 @@ struct Picture {
 /// What was drawn of a run, as the page needs it.
 struct Pictures {
   std::vector<Picture> figures;
-  std::vector<Picture> study;  ///< figures of a study of the same case, if there is one
+  std::vector<Picture> study;   ///< figures of a study of the same case, if there is one
+  std::vector<Picture> budget;  ///< figures of its error budget, if there is one
   int first_frame = 0;
   int frames = 0;
   double frame_rate = 0;          ///< 1/s

@@ -90,6 +90,8 @@ Pictures pictures_of(const Document& document, const std::string& folder) {
   Pictures pictures;
   pictures.figures = read_pictures(document.at("figures"), path);
   if (document.contains("study_figures")) pictures.study = read_pictures(document.at("study_figures"), path);
+  if (document.contains("error_budget_figures"))
+    pictures.budget = read_pictures(document.at("error_budget_figures"), path);
   const Document& animation = document.at("animation");
   pictures.frames = animation.at("frames").get<int>();
   pictures.first_frame = animation.at("first_frame").get<int>();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "report/verdict_uncertainty.h"
+
 namespace plumb {
 
 std::string counted(long n, const std::string& one, const std::string& many) {
@@ -87,9 +89,12 @@ std::string outcome_in_words(const Results& results) {
 
 }  // namespace
 
-Results evaluate(const Run& run, const Stages& stages, const Study* study) {
+Results evaluate(const Run& run, const Stages& stages, const Study* study, const Assessment* assessment) {
   Results results{run, series_errors(run), {}, stages, study};
   results.verdicts = verdicts(run, results.errors);
+  results.assessment = assessment;
+  if (assessment && assessment->uncertainty)
+    add_uncertainty(results.verdicts, results.errors, run.loaded.spec, *assessment->uncertainty);
   results.outcome = judged_outcome(run, own_verdicts(results));
   results.distances = given_distances(run);
   for (Verdict& verdict : distance_verdicts(run, results.distances))

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/output/run.h"
+#include "engine/study/assessment.h"
 #include "engine/study/study_file.h"
 #include "report/given_distance.h"
 #include "report/series_error.h"
@@ -25,14 +26,17 @@ struct Results {
   /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
   /// not met; else how the integration itself ended.
   Outcome outcome = Outcome::not_run;
+  const Assessment* assessment = nullptr;  ///< what was computed of its uncertainty, if anything
 
   std::vector<GivenDistance> distances = {};  ///< of given runs to the one that is reported
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };
 
-/// Compares a run with its references.
-Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr);
+/// Compares a run with its references. Where there is an assessment, the verdicts say the comparison error
+/// and its validation uncertainty.
+Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr,
+                 const Assessment* assessment = nullptr);
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);

@@ -7,6 +7,7 @@
 
 #include "engine/input/case.h"
 #include "engine/input/case_source.h"
+#include "engine/input/changed_case.h"
 #include "engine/input/file_text.h"
 #include "engine/input/table_reader.h"
 
@@ -75,10 +76,15 @@ StabilitySpec read_stability(TableReader table, const std::map<std::string, doub
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
 SweepSpec default_sweep(const CableSpec& cable);
 
-/// Reads the case again with further overrides.
-using CaseWithOverrides = std::function<Case(const std::vector<std::string>& overrides)>;
-
 /// [[study.variant]]; the case of each is read by `with`, and refused where it is not valid.
 std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with);
+
+/// [uncertainty], of a case whose other sections have been read.
+UncertaintySpec read_uncertainty(TableReader table, const Case& spec);
+
+/// [error_budget], of a case whose references have been read; the case of each item, alone and all together,
+/// is read by `with`, and refused where it is not valid.
+BudgetSpec read_error_budget(TableReader table, const std::vector<ReferenceUse>& references,
+                             const CaseWithOverrides& with);
 
 }  // namespace plumb

@@ -1,4 +1,5 @@
 #include "engine/errors.h"
+#include "report/program/assessment_work.h"
 #include "report/program/from_document.h"
 #include "report/program/many_reports.h"
 #include "report/program/study_kinds.h"
@@ -33,7 +34,9 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   write_run(run, folder);
   const std::optional<Study> study = study_beside(options.input);
   if (study) write_study(*study, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr);
+  const Assessment assessment = assessment_beside(options.input, run);
+  write_assessment(assessment, folder);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment);
 }
 
 }  // namespace plumb

@@ -1,3 +1,4 @@
+#include "report/program/assessment_work.h"
 #include "report/program/earlier_report.h"
 #include "report/program/many_reports.h"
 #include "report/program/study_work.h"
@@ -34,7 +35,9 @@ ExitStatus run_one(const Options& options, Talk& talk) {
     study = quick_study(loaded, talk);
     write_study(*study, folder);
   }
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr);
+  const Assessment assessment = assess(run, stages, talk);
+  write_assessment(assessment, folder);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment);
 }
 
 }  // namespace plumb

@@ -10,6 +10,8 @@
 #include "engine/output/file_writing.h"
 #include "engine/output/given_probes.h"
 #include "engine/output/run_file.h"
+#include "report/budget_pictures.h"
+#include "report/budget_section.h"
 #include "report/given_json.h"
 #include "report/program/earlier_report.h"
 #include "report/report_files.h"
@@ -31,6 +33,7 @@ void say_report(const Document& document, const std::string& folder, const Optio
   for (const Document& note : document.at("animation").value("notes", Document::array()))
     talk.line("animation: " + note.get<std::string>());
   talk.line(document.at("headline").get<std::string>());
+  if (document.contains("error_budget")) talk.line(budget_in_words(document.at("error_budget")));
   talk.line("report: " + folder + "/index.html");
   if (options.json) write_to_standard_output(to_json(document));
 }
@@ -147,14 +150,19 @@ void say_stages(const Stages& stages, Talk& talk) {
 }
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study) {
+                           Talk& talk, const Study* study, const Assessment* assessment) {
   Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
     pictures.study = draw_study(study->result, folder);
     stages.end();
   }
-  Document document = document_of(evaluate(run, stages, study), pictures);
+  if (assessment && assessment->error_budget && assessment->error_budget->left_out.empty()) {
+    stages.begin("budget figure");
+    pictures.budget = draw_budget(*assessment->error_budget, folder);
+    stages.end();
+  }
+  Document document = document_of(evaluate(run, stages, study, assessment), pictures);
   hold_against_earlier(document, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);
