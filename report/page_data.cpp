@@ -5,7 +5,7 @@ namespace {
 
 Document figures_of(const Document& document) {
   Document figures = Document::array();
-  for (const char* list : {"figures", "study_figures"}) {
+  for (const char* list : {"figures", "study_figures", "error_budget_figures"}) {
     if (!document.contains(list)) continue;
     for (const Document& figure : document.at(list))
       if (figure.contains("panels"))

@@ -11,6 +11,7 @@ namespace plumb {
 
 ExitStatus solve_verb(const Options& options, Talk& talk) {
   const LoadedCase loaded = load(options, talk);
+  refuse_without_method(loaded);
   std::optional<OutputFolder> folder;
   if (options.csv.empty() || !options.output.empty()) folder.emplace(output_path(options, loaded));
   const Run run = solve(loaded, talk);
