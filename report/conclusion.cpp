@@ -11,7 +11,9 @@ std::string number(double value) {
   return fmt::format("{:.3g}", value);
 }
 
-std::string mesh_of(const Document& document) {
+/// "4-element run", "run of chrono".
+std::string run_of(const Document& document) {
+  if (document.contains("computed_by")) return "run of " + document.at("reported").get<std::string>();
   return fmt::format("{}-element run", document.at("solve").at("elements").get<long>());
 }
 
@@ -58,6 +60,7 @@ std::string distance_of(const Verdict& worst, const std::string& reference, cons
 /// What the distance between meshes of a study in the document says of the mesh of the run; empty for
 /// nothing.
 std::string mesh_clause(const Document& document) {
+  if (document.contains("computed_by")) return "";
   if (!document.contains("work_precision") || !document.at("work_precision").contains("mesh")) return "";
   const Document &study = document.at("work_precision"), &mesh = study.at("mesh");
   const auto elements = mesh.at("elements").get<std::vector<long>>();
@@ -81,7 +84,7 @@ std::string sentence_of(const Document& document) {
              all = std::ssize(verdicts);
   const std::string of_all = counted(all, "criterion", "criteria");
   if (!document.at("complete").get<bool>())
-    return fmt::format("The {} failed: it is {} and ended at {} s of {} s, so {}", mesh_of(document),
+    return fmt::format("The {} failed: it is {} and ended at {} s of {} s, so {}", run_of(document),
                        solve.at("outcome").get<std::string>(), number(solve.at("end_time").get<double>()),
                        number(document.at("case").at("time").at("end").get<double>()),
                        all == 0   ? "it shows nothing of the case."
@@ -89,7 +92,7 @@ std::string sentence_of(const Document& document) {
                                   : fmt::format("none of its {} criteria could be judged.", all));
   if (all == 0)
     return fmt::format("The {} completed and was held against nothing: how accurate it is cannot be told{}.",
-                       mesh_of(document), mesh_clause(document));
+                       run_of(document), mesh_clause(document));
 
   std::vector<std::string> agreements, distances;
   for (const Document& reference : document.at("references")) {
@@ -108,14 +111,14 @@ std::string sentence_of(const Document& document) {
   std::vector<std::string> parts;
   if (!distances.empty()) parts.push_back("is " + joined(distances));
   if (!agreements.empty()) parts.push_back("agrees " + joined(agreements));
-  std::string text = failed > 0 ? fmt::format("{} of {} not met: the {} ", failed, of_all, mesh_of(document))
-                                : fmt::format("The {} ", mesh_of(document));
+  std::string text = failed > 0 ? fmt::format("{} of {} not met: the {} ", failed, of_all, run_of(document))
+                                : fmt::format("The {} ", run_of(document));
   if (!parts.empty())
     text += joined(parts);
   else
     text += failed > 0 ? "completed" : "completed, and what it was held against is met";
   if (not_run == all)
-    text = fmt::format("The {} completed, but none of {} could be judged", mesh_of(document), of_all);
+    text = fmt::format("The {} completed, but none of {} could be judged", run_of(document), of_all);
   else if (not_run > 0)
     text += fmt::format("; {} of {} could not be judged", not_run, of_all);
   return text + mesh_clause(document) + ".";

@@ -40,6 +40,11 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "not finite";
 }
 
+/// Shares and counts have the unit 1, which is not written.
+std::string with_unit(double value, const std::string& unit) {
+  return number(value) + (unit == "1" ? "" : " " + unit);
+}
+
 /// Failed before not run before passed.
 int rank(VerdictStatus status) {
   return status == VerdictStatus::failed ? 0 : status == VerdictStatus::not_run ? 1 : 2;
@@ -48,8 +53,7 @@ int rank(VerdictStatus status) {
 std::string margin(const Verdict& verdict) {
   if (verdict.status == VerdictStatus::not_run || !std::isfinite(verdict.value)) return "–";
   const double rest = verdict.limit - verdict.value;
-  std::string text =
-      fmt::format("{} {} {}", number(std::abs(rest)), verdict.unit, rest >= 0 ? "to spare" : "too much");
+  std::string text = with_unit(std::abs(rest), verdict.unit) + (rest >= 0 ? " to spare" : " too much");
   // Where nothing at all is allowed, there is no share of it.
   if (verdict.limit > 0) text += fmt::format(" ({:.3g} % of the limit)", 100 * verdict.value / verdict.limit);
   return text;
@@ -66,7 +70,7 @@ data row_of(const Verdict& verdict) {
   row["name"] = verdict.name;
   row["criterion"] = verdict.criterion;
   row["found"] =
-      verdict.status == VerdictStatus::not_run ? "not run" : number(verdict.value) + " " + verdict.unit;
+      verdict.status == VerdictStatus::not_run ? "not run" : with_unit(verdict.value, verdict.unit);
   row["margin"] = margin(verdict);
   row["detail"] = verdict.detail;
   return row;

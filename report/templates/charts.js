@@ -105,6 +105,9 @@
       y.afterFit = (scale) => { scale.width = axisWidth; };
       // Panels above each other begin and end alike, however long their labels are.
       x.afterFit = (scale) => { scale.paddingLeft = scale.paddingRight = 0; };
+      // What bands reach has to be in sight.
+      const reached = this.panel.series.flatMap((series) => (series.band ? [...series.band.lower, ...series.band.upper] : [])).filter(known);
+      if (reached.length) [y.suggestedMin, y.suggestedMax] = [Math.min(...reached), Math.max(...reached)];
       if (this.panel.over_time && !this.panel.x.range) [x.min, x.max] = [0, clock.end];
       if (this.panel.shares_x_below) {
         x.title.display = false;
@@ -145,7 +148,13 @@
       return {
         id: "overlay",
         beforeDatasetsDraw: ({ ctx, chartArea: area, scales }) => {
+          ctx.save();
+          ctx.beginPath();
+          ctx.rect(area.left, area.top, area.right - area.left, area.bottom - area.top);
+          ctx.clip();
           for (const rule of this.panel.rules) this.drawRule(ctx, area, scales, rule);
+          this.panel.series.forEach((series, k) => this.drawExtents(ctx, scales, series, colorOf(series, k)));
+          ctx.restore();
         },
         afterDatasetsDraw: ({ ctx, chartArea: area, scales }) => {
           ctx.save();
@@ -172,6 +181,33 @@
           ctx.restore();
         },
       };
+    }
+
+    // Between where and where a value may be: as a band, or as bars at its points.
+    drawExtents(ctx, { x: sx, y: sy }, series, ink) {
+      ctx.save();
+      ctx.strokeStyle = ctx.fillStyle = ink;
+      if (series.band) {
+        ctx.globalAlpha = 0.2;
+        ctx.beginPath();
+        series.x.forEach((x, i) => ctx.lineTo(sx.getPixelForValue(x), sy.getPixelForValue(series.band.upper[i])));
+        for (let i = series.x.length - 1; i >= 0; --i) ctx.lineTo(sx.getPixelForValue(series.x[i]), sy.getPixelForValue(series.band.lower[i]));
+        ctx.fill();
+        ctx.globalAlpha = 1;
+      }
+      const bar = (x0, y0, x1, y1) => {
+        ctx.beginPath();
+        ctx.moveTo(sx.getPixelForValue(x0), sy.getPixelForValue(y0));
+        ctx.lineTo(sx.getPixelForValue(x1), sy.getPixelForValue(y1));
+        ctx.stroke();
+      };
+      const { x_error: across, y_error: up } = series;
+      series.x.forEach((x, i) => {
+        const y = series.y[i];
+        if (up && known(up.lower[i]) && known(up.upper[i])) bar(x, up.lower[i], x, up.upper[i]);
+        if (across && known(across.lower[i]) && known(across.upper[i])) bar(across.lower[i], y, across.upper[i], y);
+      });
+      ctx.restore();
     }
 
     drawRule(ctx, area, scales, rule) {

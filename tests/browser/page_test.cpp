@@ -356,11 +356,15 @@ TEST_F(PageInBrowser, DataOfAFigureAreThoseOfItsFile) {
     std::istringstream lines(text);
     std::string line;
     std::getline(lines, line);
-    EXPECT_EQ(line, "panel,series,x,y");
+    EXPECT_EQ(line, "panel,kind,series,x,y,x_to,y_to,value");
     while (std::getline(lines, line)) {
-      const std::size_t y = line.rfind(','), x = line.rfind(',', y - 1);
-      numbers.push_back(std::stod(line.substr(x + 1)));
-      numbers.push_back(std::stod(line.substr(y + 1)));
+      std::istringstream cells(line);
+      std::string cell;
+      while (std::getline(cells, cell, ',')) {
+        char* end = nullptr;
+        const double number = std::strtod(cell.c_str(), &end);
+        if (end != cell.c_str() && *end == '\0') numbers.push_back(number);
+      }
     }
     return numbers;
   };
