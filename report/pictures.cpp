@@ -16,7 +16,7 @@
 #include "render/png.h"
 #include "render/scene.h"
 #include "report/figure_csv.h"
-#include "report/scene_shown.h"
+#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {

@@ -105,7 +105,7 @@ for camera in fit front back left right top bottom orbit follow; do
   frame "Camera: $camera" camera_$camera $run "${at[@]}" --camera $camera
 done
 frame "Camera: where it is told to stand" camera_given $run "${at[@]}" \
-  --set 'scene.camera={eye=[1.6,0.5,1.8],target=[0.2,-0.3,0],field_of_view=28}'
+  --set 'scene.camera={eye=[2.2,0.6,2.4],target=[0,-0.35,0],field_of_view=34}'
 section "Supports" "A ball for a joint, a sleeve for a clamp."
 frame "Clamped and pinned" supports runs/held --frames 3
 section "Backgrounds" "The page shows through what is transparent."
@@ -148,7 +148,7 @@ figures "Where methods fail" figures/stability study "$cases/pendulum.toml" stab
   --set 'study.stability.methods=["rk4","trapezoidal","cvode-bdf"]' --set study.stability.steps=6 \
   --set study.stability.largest_step=0.01 --set study.stability.smallest_step=5e-4 \
   --set study.stability.tightest_tolerance=1e-5 --set 'study.stability.limit_methods=["rk4"]'
-figures "Random cases" figures/sweep study "$cases/failure/random_sweep.toml" sweep --set study.sweep.count=12
+figures "Random cases" figures/sweep study "$cases/failure/random_sweep.toml" sweep --set study.sweep.cases=12
 figures "Variants that fail in known ways" figures/variants study "$cases/failure/axial_locking.toml" variants
 
 section "What differs between two pictures" "By plumb diff: what was added is blue, what went is red."
