@@ -22,7 +22,7 @@ namespace plumb {
 namespace {
 
 /// The scene as the page shows it: at most this wide and this often, so that one file holds the whole report.
-constexpr int page_width = 640;
+constexpr int page_width = 512;
 constexpr double page_frame_rate = 12.5;
 
 SceneSpec page_scene(SceneSpec spec) {

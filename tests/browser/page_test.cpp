@@ -228,7 +228,8 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
               document["errors"][0]["expected"][k].get<double>());
     EXPECT_EQ(number_in(tab().value_of("plumb.charts[1].node.querySelector('.value').textContent")),
               document["errors"][0]["difference"][k].get<double>());
-    EXPECT_EQ(tab().value_of("new Set(plumb.charts.map((c) => c.canvas.getAttribute('aria-valuenow'))).size"),
+    EXPECT_EQ(tab().value_of("new Set(plumb.charts.filter((c) => c.timed).map((c) => "
+                             "c.canvas.getAttribute('aria-valuenow'))).size"),
               1)
         << "every chart is at that time";
     tab().wait_until("document.querySelector('.player canvas').dataset.frame === '" +
@@ -346,7 +347,7 @@ TEST_F(PageInBrowser, DataOfAFigureAreThoseOfItsFile) {
   open_run();
   chromium().call("Browser.setDownloadBehavior",
                   {{"behavior", "allow"}, {"downloadPath", file("downloads")}});
-  EXPECT_EQ(count("figure.plot button"), 3);
+  EXPECT_EQ(count("figure.plot button"), 6);
   tab().value_of("document.querySelector('figure.plot[data-file=\"figures/tip_plan.png\"] button').click()");
   const fs::path saved = file("downloads/tip_plan.csv");
   for (int k = 0; k < 500 && !fs::exists(saved); ++k)
@@ -410,7 +411,7 @@ TEST_F(PageInBrowser, ShowsAllWithoutScripts) {
   tab().emulate(Json::object());
   open_run();
   EXPECT_EQ(tab().value_of("typeof plumb"), "undefined") << "no script ran";
-  EXPECT_EQ(count("figure.plot img"), 3);
+  EXPECT_EQ(count("figure.plot img"), 6);
   EXPECT_EQ(count("img.moving"), 1);
   EXPECT_EQ(count("img.still"), 0);
   EXPECT_EQ(count("tr[data-status]"), 6);
@@ -424,7 +425,7 @@ TEST_F(PageInBrowser, ShowsAllWithoutScripts) {
 TEST_F(PageInBrowser, PrintsTheDrawnPictures) {
   open_run();
   tab().emulate(Json::object(), "print");
-  EXPECT_EQ(count("figure.plot img"), 3);
+  EXPECT_EQ(count("figure.plot img"), 6);
   EXPECT_EQ(count("canvas, button:not(.sort), select"), 0);
   EXPECT_EQ(count("img.still"), 1);
   tab().emulate(Json::object());
@@ -432,7 +433,7 @@ TEST_F(PageInBrowser, PrintsTheDrawnPictures) {
   const std::string data = pdf["data"];
   EXPECT_TRUE(data.starts_with("JVBERi0")) << "%PDF- in base64";
   EXPECT_GT(data.size(), 200000U) << "with its pictures";
-  EXPECT_EQ(count("figure.plot canvas"), 6) << "the charts are back";
+  EXPECT_EQ(count("figure.plot canvas"), 8) << "the charts are back";
 }
 
 TEST_F(PageInBrowser, CanBeReadWithoutSeeing) {
