@@ -157,7 +157,7 @@ TEST(GivenRunFaults, ARunsOwnKeysAreChecked) {
        "case.toml:…the run is the one that is reported, and has no distance to itself"},
       {good, "[[run]]\nfile = \"chrono.csv\"", "case.toml:…must differ from that of every other run…"},
       {good, "[[run]]\nfile = \"other.csv\"", "case.toml:5:8: run.1.file = \"other.csv\": cannot be read:…"},
-      {good, "[study.sweep]", "case.toml:…a case without [method] has no studies:…"},
+      {good, "[study.sweep]", "case.toml:…belongs to runs of Plumb's own; a case without [method] has none"},
   });
 }
 
