@@ -7,6 +7,7 @@
 #include "engine/input/case_sections.h"
 #include "engine/input/case_source.h"
 #include "engine/input/method_keys.h"
+#include "engine/input/model_keys.h"
 #include "engine/input/override.h"
 #include "engine/input/parameters.h"
 #include "engine/input/table_reader.h"
@@ -28,6 +29,7 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
   const bool has_work_precision = study.has("work_precision");
   const bool has_stability = study.has("stability");
   const bool has_sweep = study.has("sweep");
+  const bool has_economy = study.has("economy");
   const std::vector<TableReader> variants = study.tables("variant");
   study.finish();
   if (has_work_precision)
@@ -35,6 +37,7 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
   if (has_stability)
     spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
   if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
+  if (has_economy) spec.economy = read_economy(study.table("economy"), spec.scene);
   spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
@@ -50,6 +53,7 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
 
   LoadedCase loaded;
   loaded.remarks = drop_overruled_keys(written, merged);
+  for (std::string& remark : drop_keys_of_other_models(merged)) loaded.remarks.push_back(std::move(remark));
   const Parameters parameters(merged.find("parameters"));
   TableReader root(merged, "", &parameters);
   root.has("parameters");
@@ -76,12 +80,13 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
   spec.loads = read_loads(loads);
   spec.time = read_time(time);
   spec.method = read_method(method, spec.time);
-  if (!find_method(spec.method.name)->dynamic) {
+  spec.probes = read_probes(probes);
+  if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
+  if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {
     const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
   }
-  spec.probes = read_probes(probes);
   ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
