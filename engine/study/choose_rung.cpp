@@ -55,6 +55,7 @@ class Search {
   Search(const Case& spec, const MakeGauge& make_gauge) : spec_(spec), make_gauge_(make_gauge) {
     result_.tolerance = spec.scene.tolerance;
     result_.safe_work = safe_rung(spec).work;
+    if (spec.cable.model == CableModel::cable) result_.case_elements = spec.cable.elements;
   }
 
   Economy result() {
@@ -220,7 +221,7 @@ class Search {
     if (!can_afford(half)) return;
     const Member finer = run(half);
     if (!completed(finer)) return;
-    const PictureGauge gauge = make_gauge_(finer.trajectory);
+    const PictureErrors gauge = make_gauge_(finer.trajectory);
     result_.time_share = 4.0 / 3 * last(so_far(gauge(chosen.trajectory)));
   }
 
@@ -269,7 +270,7 @@ class Search {
   std::deque<Member> spine_;    // the full model, mesh by mesh
   std::deque<Member> climbed_;  // the rungs below
   Member* finest_ = nullptr;
-  PictureGauge gauge_;
+  PictureErrors gauge_;
   std::vector<double> own_;  // error of the finest, so far, a frame each
   bool out_of_budget_ = false;
 };
@@ -280,6 +281,9 @@ Economy choose_rung(const Case& spec, const MakeGauge& make_gauge) {
   if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic)
     throw InputError(fmt::format("method.name = \"{}\": nothing moves, so that there is no scene to compute "
                                  "with less", spec.method.name));
+  if (spec.cable.model != CableModel::cable)
+    throw InputError(fmt::format("cable.model = \"{}\": what a scene needs is told by the full model, \"cable\"",
+                                 word(spec.cable.model)));
   return Search(spec, make_gauge).result();
 }
 

@@ -40,6 +40,7 @@ struct TriedRung {
 /// What a search for the cheapest rung that a scene needs has found.
 struct Economy {
   double tolerance = 0;  ///< pixels
+  int case_elements = 0;  ///< of the mesh that the case names; 0: it names another model than a cable
   std::vector<TriedRung> tried;  ///< in the order of their predicted cost
   int chosen = -1;               ///< place in `tried`
   bool holds = false;            ///< the chosen one's error is within the tolerance, as far as can be told
@@ -60,8 +61,8 @@ struct Economy {
 
 /// Greatest distance on the picture between the centre lines of two runs, pixels, one for each frame that is
 /// drawn. Infinite where one is not in the picture and the other cannot be told.
-using PictureGauge = std::function<std::vector<double>(const Trajectory& drawn)>;
-/// Makes a gauge that holds runs against `truth`, which must outlive it, through the camera of `truth`.
-using MakeGauge = std::function<PictureGauge(const Trajectory& truth)>;
+using PictureErrors = std::function<std::vector<double>(const Trajectory& drawn)>;
+/// Makes what holds runs against `truth`, which must outlive it, through the camera of `truth`.
+using MakeGauge = std::function<PictureErrors(const Trajectory& truth)>;
 
 }  // namespace plumb

@@ -99,6 +99,16 @@ class Hash {
   std::uint64_t value_ = 14695981039346656037U;
 };
 
+std::optional<Economy> with_key(const std::string& text, const char* name, const std::string& key) {
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("kind") != "choice" || json.at("version") != choice_version || json.at(name) != key) return {};
+    return economy_of(json.at("economy"));
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 Json tried_rung_json(const TriedRung& tried) {
@@ -134,6 +144,7 @@ Json economy_json(const Economy& economy) {
   Json json{{"tolerance", economy.tolerance},
             {"unit", "pixels"},
             {"safety_factor", economy_safety},
+            {"case_elements", economy.case_elements},
             {"holds", economy.holds},
             {"chosen", economy.chosen},
             {"finest", economy.finest},
@@ -153,6 +164,7 @@ Json economy_json(const Economy& economy) {
 Economy economy_of(const Json& json) {
   Economy economy;
   economy.tolerance = json.at("tolerance").get<double>();
+  economy.case_elements = json.at("case_elements").get<int>();
   economy.holds = json.at("holds").get<bool>();
   economy.chosen = json.at("chosen").get<int>();
   economy.finest = json.at("finest").get<std::string>();
@@ -179,20 +191,22 @@ std::string choice_key(const CaseSource& source) {
   return hash.digits();
 }
 
-std::string encode_choice(const Economy& economy, const std::string& key) {
-  Json json{{"kind", "choice"}, {"version", choice_version}, {"key", key}};
+std::string encode_choice(const Economy& economy, const std::string& key, const CaseSource& made) {
+  Json json{{"kind", "choice"},
+            {"version", choice_version},
+            {"key", key},
+            {"key_of_the_run", choice_key(made)},
+            {"overrides", made.overrides}};
   json["economy"] = economy_json(economy);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::optional<Economy> decode_choice(const std::string& text, const std::string& key) {
-  try {
-    const Json json = Json::parse(text);
-    if (json.at("kind") != "choice" || json.at("version") != choice_version || json.at("key") != key) return {};
-    return economy_of(json.at("economy"));
-  } catch (const std::exception&) {
-    return {};
-  }
+  return with_key(text, "key", key);
+}
+
+std::optional<Economy> decode_choice_made(const std::string& text, const CaseSource& made) {
+  return with_key(text, "key_of_the_run", choice_key(made));
 }
 
 }  // namespace plumb

@@ -26,9 +26,11 @@ Economy economy_of(const nlohmann::ordered_json& json);
 /// program's revision, 16 hexadecimal digits.
 std::string choice_key(const CaseSource& source);
 
-/// choice.json: the search and its key.
-std::string encode_choice(const Economy& economy, const std::string& key);
+/// choice.json: the search, its key, and `made`, the case that came of it.
+std::string encode_choice(const Economy& economy, const std::string& key, const CaseSource& made);
 /// Reads it back; nothing where its key is another, or it is none that this program writes.
 std::optional<Economy> decode_choice(const std::string& text, const std::string& key);
+/// The same for the case that came of it; nothing where it is another.
+std::optional<Economy> decode_choice_made(const std::string& text, const CaseSource& made);
 
 }  // namespace plumb

@@ -33,6 +33,8 @@ struct Options {
   std::optional<int> channel;          ///< of --channel
   std::optional<double> density;       ///< of --density
   std::optional<double> numbers;       ///< of --numbers
+  bool economy = false;                ///< --economy
+  bool explain = false;                ///< --explain
   bool accept = false;                 ///< --accept
   bool json = false;
   bool quiet = false;
