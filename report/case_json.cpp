@@ -42,7 +42,8 @@ Json solve_json(const Run& run) {
 Json verdict_json(const Verdict& verdict) {
   return {{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
           {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
-          {"unit", verdict.unit},           {"message", verdict.message},     {"reason", verdict.reason}};
+          {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
+          {"reason", verdict.reason}};
 }
 
 Json method_json(const MethodSpec& method) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "report/document.h"
 #include "report/escape.h"
 #include "report/junit_suites.h"
 #include "report/results.h"
@@ -30,17 +31,19 @@ std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts) {
   return all;
 }
 
-std::string to_junit(const Results& results) {
-  const Trajectory& t = results.run.trajectory;
-  std::vector<JunitSuite> all = suites_of(results.verdicts);
-  all.insert(all.begin(), {"integration",
-                           {{fmt::format("{}, {}", results.run.loaded.spec.method.name,
-                                         counted(t.elements, "element", "elements")),
-                             results.solved() ? VerdictStatus::passed : VerdictStatus::failed, t.message,
-                             std::max(0.0, t.solve_seconds)}},
-                           {{"outcome", std::string(word(results.outcome))},
-                            {"outcome_reason", outcome_reason(results)}}});
-  return junit_xml(results.run.loaded.spec.title, all);
+std::string to_junit(const Document& document) {
+  const Document& solve = document.at("solve");
+  const std::string name = fmt::format("{}, {}", solve.at("method").get<std::string>(),
+                                       counted(solve.at("elements").get<long>(), "element", "elements"));
+  std::vector<JunitSuite> all = suites_of(verdicts_of(document));
+  all.insert(
+      all.begin(),
+      {"integration",
+       {{name, document.at("complete").get<bool>() ? VerdictStatus::passed : VerdictStatus::failed,
+         solve.at("message").get<std::string>(), std::max(0.0, solve.at("solve_seconds").get<double>())}},
+       {{"outcome", document.at("outcome").get<std::string>()},
+        {"outcome_reason", document.at("outcome_reason").get<std::string>()}}});
+  return junit_xml(document.at("title").get<std::string>(), all);
 }
 
 std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& all) {

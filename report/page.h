@@ -2,12 +2,13 @@
 
 #include <string>
 
-#include "report/pictures.h"
-#include "report/results.h"
+#include "report/document.h"
 
 namespace plumb {
 
-/// index.html: the report as one file that asks nothing of anywhere and needs no scripts.
-std::string to_page(const Results& results, const Pictures& pictures);
+/// index.html: the report as one file that asks nothing of anywhere and can be read without scripts. All that
+/// it says is in the document. Throws nlohmann's exceptions where the document lacks what output/README.md
+/// says of it.
+std::string to_page(const Document& document, const Pictures& pictures);
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "report/base64.h"
@@ -45,6 +46,19 @@ void set_case_and_provenance(data& page, const CaseSource& source, const Provena
   std::vector<std::pair<std::string, std::string>> times;
   for (const auto& [name, seconds] : stages.all()) times.emplace_back(name, fmt::format("{:.2f} s", seconds));
   page["stages"] = pair_rows(times);
+}
+
+void set_case_and_provenance(data& page, const nlohmann::ordered_json& document) {
+  const auto& the_case = document.at("case");
+  CaseSource source;
+  source.file = {the_case.at("file").get<std::string>(), the_case.at("text").get<std::string>()};
+  source.overrides = the_case.at("overrides").get<std::vector<std::string>>();
+  Provenance provenance;
+  for (const auto& [name, value] : document.at("provenance").items())
+    provenance.emplace_back(name, value.get<std::string>());
+  Stages stages;
+  for (const auto& [name, seconds] : document.at("seconds").items()) stages.add(name, seconds.get<double>());
+  set_case_and_provenance(page, source, provenance, stages);
 }
 
 }  // namespace plumb

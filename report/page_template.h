@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kainjow/mustache.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,5 +27,8 @@ kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::
 /// went.
 void set_case_and_provenance(kainjow::mustache::data& page, const CaseSource& source,
                              const Provenance& provenance, const Stages& stages);
+
+/// The same from the document of a report.
+void set_case_and_provenance(kainjow::mustache::data& page, const nlohmann::ordered_json& document);
 
 }  // namespace plumb

@@ -90,8 +90,10 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std:
   SceneRenderer small(context, run.trajectory, input);
   stream_frames(small, range_within(small, {}), texts, PngEffort::small,
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
-  result.page_still = frames.back();
   result.page_animation = join_apng(frames, input.spec.frame_rate);
+  result.page_still = split_apng(result.page_animation, player_file).back();
+  write_file(folder.file(player_file), result.page_animation);
+  result.player_frame_rate = input.spec.frame_rate;
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];
   result.renderer = context.info().fingerprint();

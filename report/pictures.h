@@ -30,6 +30,7 @@ struct Pictures {
   int first_frame = 0;
   int frames = 0;
   double frame_rate = 0;          ///< 1/s
+  double player_frame_rate = 0;   ///< of the animation of the page, 1/s
   int page_animation_width = 0;   ///< pixels
   int page_animation_height = 0;  ///< pixels
   std::string page_animation;     ///< animated PNG small enough for the page
@@ -52,8 +53,12 @@ using DrawingProgress = std::function<void(double)>;
 /// UsageError where there is none of them.
 FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked);
 
+/// The animation of the page, small enough to lie in it.
+inline constexpr const char* player_file = "player.png";
+
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
-/// animation.png. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+/// animation.png and player.png. Throws OutputError when drawing or writing fails, Interrupted when the user
+/// stops it.
 Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
               OutputFolder& folder, Stages& stages, const DrawingProgress& progress = {});
 

@@ -10,12 +10,10 @@ std::string counted(long n, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
-std::string step_cuts(const Trajectory& trajectory) {
-  const long times = trajectory.counters.rejected_steps;
+std::string step_cuts(long times, double shortest) {
   if (times <= 0) return "";
   std::string text = "cut " + counted(times, "time", "times");
-  if (trajectory.shortest_cut > 0)
-    text += fmt::format(", to {:.3g} s at the shortest", trajectory.shortest_cut);
+  if (shortest > 0) text += fmt::format(", to {:.3g} s at the shortest", shortest);
   return text;
 }
 

@@ -34,9 +34,9 @@ Results evaluate(const Run& run, const Stages& stages, const Study* study = null
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
 
-/// "cut 12 times, to 3e-05 s at the shortest", of a run whose steps were tried and repeated shorter; else
-/// empty.
-std::string step_cuts(const Trajectory& trajectory);
+/// "cut 12 times, to 3e-05 s at the shortest", where steps were tried and repeated shorter so many times;
+/// empty for none. A shortest step of -1 is not known.
+std::string step_cuts(long times, double shortest);
 
 /// Why the outcome is what it is: "every criterion is met", "known: tip.y is not met", "not held against
 /// anything", or what ended the integration.
@@ -48,16 +48,7 @@ std::string drift_in_words(const Trajectory& trajectory);
 /// The report in one sentence: how many criteria are met and the greatest distance to each reference.
 std::string headline(const Results& results);
 
-/// results.json: every number of the report, keys as in output/README.md.
-std::string to_json(const Results& results);
-
-/// junit.xml: a suite for the integration and one for each kind of verdict, a test case a criterion.
-std::string to_junit(const Results& results);
-
 /// The verdicts as a table in Markdown, failures first, of bounded length.
 std::string verdict_table(const std::vector<Verdict>& verdicts);
-
-/// summary.md, for a CI page; below 64 KiB.
-std::string to_summary(const Results& results);
 
 }  // namespace plumb

@@ -25,6 +25,9 @@ class Stages {
     running_ = false;
   }
 
+  /// Takes down a stage that was timed before.
+  void add(const std::string& name, double seconds) { stages_.emplace_back(name, seconds); }
+
   const std::vector<std::pair<std::string, double>>& all() const { return stages_; }
 
  private:

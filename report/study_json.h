@@ -10,4 +10,8 @@ namespace plumb {
 /// of a study. Keys as in output/README.md.
 nlohmann::ordered_json work_precision_json(const WorkPrecision& study);
 
+/// Reads it back, but for the title. Throws nlohmann's exceptions where something is missing or of another
+/// kind.
+WorkPrecision work_precision_from_json(const nlohmann::ordered_json& json);
+
 }  // namespace plumb

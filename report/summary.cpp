@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "report/document.h"
 #include "report/escape.h"
 #include "report/results.h"
 
@@ -31,18 +32,19 @@ std::string verdict_table(const std::vector<Verdict>& verdicts) {
   return text;
 }
 
-std::string to_summary(const Results& results) {
-  const Run& run = results.run;
-  const Trajectory& t = run.trajectory;
-  std::string text = fmt::format("# {}\n\n{}\n\nOutcome: **{}**, {}.\n\n",
-                                 escape_markdown(run.loaded.spec.title), escape_markdown(headline(results)),
-                                 word(results.outcome), escape_markdown(outcome_reason(results)));
-  text += verdict_table(results.verdicts);
+std::string to_summary(const Document& document) {
+  const auto text_of = [&](const char* key) { return escape_markdown(document.at(key).get<std::string>()); };
+  const Document& solve = document.at("solve");
+  std::string text = fmt::format("# {}\n\n{}\n\nOutcome: **{}**, {}.\n\n", text_of("title"),
+                                 text_of("headline"), text_of("outcome"), text_of("outcome_reason"));
+  text += verdict_table(verdicts_of(document));
   text += fmt::format(
       "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",
-      escape_markdown(run.loaded.spec.method.name), counted(t.elements, "element", "elements"), t.end_time,
-      counted(t.counters.steps, "step", "steps"), t.counters.force_evaluations,
-      t.counters.tangent_evaluations, t.solve_seconds, drift_in_words(t));
+      escape_markdown(solve.at("method").get<std::string>()),
+      counted(solve.at("elements").get<long>(), "element", "elements"), solve.at("end_time").get<double>(),
+      counted(solve.at("steps").get<long>(), "step", "steps"), solve.at("force_evaluations").get<long>(),
+      solve.at("tangent_evaluations").get<long>(), solve.at("solve_seconds").get<double>(),
+      document.at("energy").at("drift_in_words").get<std::string>());
   return text;
 }
 

@@ -35,6 +35,7 @@ struct Options {
   std::optional<double> numbers;       ///< of --numbers
   bool economy = false;                ///< --economy
   bool explain = false;                ///< --explain
+  std::string from;                    ///< of --from; empty: not given
   bool accept = false;                 ///< --accept
   bool json = false;
   bool quiet = false;

@@ -9,7 +9,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/run_file.h"
-#include "report/page.h"
+#include "report/report_files.h"
 #include "report/study_pictures.h"
 
 namespace plumb {
@@ -20,23 +20,19 @@ namespace {
 
 constexpr const char* run_file_name = "run.h5";
 
-/// Writes index.html, results.json, junit.xml and summary.md; returns what results.json holds.
-std::string write_report(const Results& results, const Pictures& pictures, OutputFolder& folder) {
-  write_file(folder.file("index.html"), to_page(results, pictures));
-  std::string json = to_json(results);
-  write_file(folder.file("results.json"), json);
-  write_file(folder.file("junit.xml"), to_junit(results));
-  write_file(folder.file("summary.md"), to_summary(results));
-  return json;
-}
-
-/// 0, 1 or 4 by outcome and verdicts.
-ExitStatus status_of(const Results& results) {
-  if (!results.solved()) return ExitStatus::solver_failed;
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
-}
-
 }  // namespace
+
+void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk) {
+  say_verdicts(verdicts_of(document), talk);
+  talk.line(document.at("headline").get<std::string>());
+  talk.line("report: " + folder + "/index.html");
+  if (options.json) write_to_standard_output(to_json(document));
+}
+
+ExitStatus status_of(const Document& document) {
+  if (!document.at("complete").get<bool>()) return ExitStatus::solver_failed;
+  return document.at("all_criteria_met").get<bool>() ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk) {
   for (const Verdict& verdict : verdicts) {
@@ -62,7 +58,9 @@ Run solve(const LoadedCase& loaded, Talk& talk) {
                         loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
                         trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
                         trajectory.solve_seconds));
-  if (const std::string cuts = step_cuts(trajectory); !cuts.empty()) talk.line("its step was " + cuts);
+  if (const std::string cuts = step_cuts(trajectory.counters.rejected_steps, trajectory.shortest_cut);
+      !cuts.empty())
+    talk.line("its step was " + cuts);
   if (trajectory.outcome != Outcome::completed)
     talk.line(talk.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
   return {loaded, std::move(trajectory), std::move(probes), provenance_now()};
@@ -122,17 +120,14 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
     pictures.study = draw_study(study->result, folder);
     stages.end();
   }
-  const Results results = evaluate(run, stages, study);
+  const Document document = document_of(evaluate(run, stages, study), pictures);
   stages.begin("report");
-  const std::string json = write_report(results, pictures, folder);
+  write_report(document, pictures, folder);
   folder.commit();
   stages.end();
-  say_verdicts(results.verdicts, talk);
-  talk.line(headline(results));
+  say_report(document, folder.path(), options, talk);
   say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(json);
-  return status_of(results);
+  return status_of(document);
 }
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 
 #include "engine/output/output_folder.h"
 #include "engine/output/run.h"
+#include "report/document.h"
 #include "report/pictures.h"
 #include "report/program/options.h"
 #include "report/program/talk.h"
@@ -30,6 +31,12 @@ std::string output_path_of_run(const Options& options);
 
 /// Writes run.h5 and probes.csv.
 void write_run(const Run& run, OutputFolder& folder);
+
+/// Says the verdicts, the headline and where the report is; with --json prints the document.
+void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk);
+
+/// 0, 1 or 4 by how the run ended and its verdicts.
+ExitStatus status_of(const Document& document);
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
 

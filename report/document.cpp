@@ -1,13 +1,13 @@
-#include <nlohmann/json.hpp>
+#include "report/document.h"
 
+#include "engine/integrate/method_info.h"
 #include "report/case_json.h"
-#include "report/results.h"
 #include "report/study_json.h"
 
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = Document;
 
 Json error_json(const SeriesError& error, const Run& run) {
   const ReferenceUse& use = run.loaded.spec.references[error.reference];
@@ -15,6 +15,7 @@ Json error_json(const SeriesError& error, const Run& run) {
   return {{"reference", use.name},
           {"series", error.series},
           {"column", error.column},
+          {"description", series.description},
           {"figure", series.figure},
           {"unit", error.unit},
           {"points", error.times.size()},
@@ -32,11 +33,13 @@ Json error_json(const SeriesError& error, const Run& run) {
           {"difference", error.difference}};
 }
 
-Json reference_json(const Reference& reference) {
-  return {{"title", reference.title},
+Json reference_json(const Reference& reference, const ReferenceUse& use) {
+  return {{"name", use.name},
+          {"title", reference.title},
           {"kind", reference.kind == ReferenceKind::published ? "published" : "computed"},
           {"source", reference.source},
           {"obtained", reference.obtained},
+          {"reason", use.reason},
           {"notes", reference.notes}};
 }
 
@@ -51,15 +54,34 @@ Json energy_json(const Trajectory& trajectory) {
   return {{"unit", "J"},
           {"drift", trajectory.energy_drift()},
           {"drift_relative_to_first_kinetic", trajectory.relative_energy_drift()},
+          {"drift_in_words", drift_in_words(trajectory)},
+          {"time", trajectory.times},
           {"kinetic", kinetic},
           {"axial", axial},
           {"bending", bending},
           {"potential", potential}};
 }
 
+Json picture_json(const std::vector<Picture>& pictures) {
+  Json json = Json::array();
+  for (const Picture& picture : pictures)
+    json.push_back(
+        {{"file", picture.file}, {"title", picture.title}, {"alt", picture.alt}, {"tall", picture.tall}});
+  return json;
+}
+
+Json animation_json(const Pictures& pictures) {
+  return {{"frames", pictures.frames},
+          {"first_frame", pictures.first_frame},
+          {"frame_rate", pictures.frame_rate},
+          {"player_frame_rate", pictures.player_frame_rate},
+          {"width", pictures.page_animation_width},
+          {"height", pictures.page_animation_height}};
+}
+
 }  // namespace
 
-std::string to_json(const Results& results) {
+Document document_of(const Results& results, const Pictures& pictures) {
   const Run& run = results.run;
   Json json;
   json["schema_version"] = results_version;
@@ -75,17 +97,29 @@ std::string to_json(const Results& results) {
   json["errors"] = Json::array();
   for (const SeriesError& error : results.errors) json["errors"].push_back(error_json(error, run));
   json["references"] = Json::array();
-  for (const Reference& reference : run.loaded.references)
-    json["references"].push_back(reference_json(reference));
+  for (std::size_t r = 0; r < run.loaded.references.size(); ++r)
+    json["references"].push_back(reference_json(run.loaded.references[r], run.loaded.spec.references[r]));
   json["energy"] = energy_json(run.trajectory);
   json["probes"]["t"] = {{"unit", "s"}, {"values", run.probes.times}};
   for (const Column& column : run.probes.columns)
     json["probes"][column.name] = {{"unit", column.unit}, {"values", column.values}};
-  if (results.study) json["work_precision"] = work_precision_json(results.study->result);
+  json["figures"] = picture_json(pictures.figures);
+  json["animation"] = animation_json(pictures);
+  json["renderer"] = pictures.renderer;
+  if (results.study) {
+    json["work_precision"] = work_precision_json(results.study->result);
+    json["study_figures"] = picture_json(pictures.study);
+  }
   json["case"] = case_json(run.loaded);
+  json["seconds"] = Json::object();
   for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
+  json["provenance"] = Json::object();
   for (const auto& [name, value] : run.provenance) json["provenance"][name] = value;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
+}
+
+std::string to_json(const Document& document) {
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace plumb

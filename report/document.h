@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "report/pictures.h"
+#include "report/results.h"
+
+namespace plumb {
+
+/// A report as data: all that its page, junit.xml and summary.md say. Keys as in output/README.md.
+using Document = nlohmann::ordered_json;
+
+/// The document of a run that was evaluated and drawn.
+Document document_of(const Results& results, const Pictures& pictures);
+
+/// The text of results.json.
+std::string to_json(const Document& document);
+
+/// Reads results.json. Throws InputError for a file that cannot be read, is not JSON, is of a later version
+/// or is not that of a run.
+Document read_document(const std::string& path);
+
+/// The verdicts of a document, in its order.
+std::vector<Verdict> verdicts_of(const Document& document);
+
+/// What was drawn, with the pictures' bytes read from `folder`. Throws InputError where one is missing.
+Pictures pictures_of(const Document& document, const std::string& folder);
+
+/// junit.xml: a suite for the integration and one for each kind of verdict, a test case a criterion.
+std::string to_junit(const Document& document);
+
+/// summary.md, for a CI page; below 64 KiB.
+std::string to_summary(const Document& document);
+
+}  // namespace plumb
