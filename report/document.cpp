@@ -2,6 +2,7 @@
 
 #include "engine/integrate/method_info.h"
 #include "report/case_json.h"
+#include "report/economy_section.h"
 #include "report/study_json.h"
 
 namespace plumb {
@@ -110,6 +111,7 @@ Document document_of(const Results& results, const Pictures& pictures) {
     json["work_precision"] = work_precision_json(results.study->result);
     json["study_figures"] = picture_json(pictures.study);
   }
+  if (results.economy) json["economy"] = economy_document(*results.economy, run.loaded.spec.scene);
   json["case"] = case_json(run.loaded);
   json["seconds"] = Json::object();
   for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;

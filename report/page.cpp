@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/integrate/method_info.h"
+#include "report/economy_section.h"
 #include "report/page_tables.h"
 #include "report/page_template.h"
 #include "report/study_json.h"
@@ -47,6 +48,7 @@ std::string formulation_html(const Document& the_case) {
   const Document& cable = the_case.at("cable");
   const MethodInfo& method = *find_method(the_case.at("method").at("name").get<std::string>());
   data formulation;
+  formulation["rigid"] = cable.at("model") == word(CableModel::rigid);
   formulation["chain"] = cable.at("model") == word(CableModel::chain);
   formulation["green"] = cable.at("strain") == word(StrainModel::green_geometric);
   formulation["full"] = cable.at("quadrature") == word(QuadratureRule::full);
@@ -104,6 +106,7 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["formulation"] = formulation_html(the_case);
   page["case_rows"] = case_rows(document);
   set_case_and_provenance(page, document);
+  if (document.contains("economy")) page["economy"] = economy_section(document.at("economy"));
   page["has_study"] = document.contains("work_precision");
   if (document.contains("work_precision")) {
     const WorkPrecision study = work_precision_from_json(document.at("work_precision"));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "report/economy_text.h"
+
 namespace plumb {
 
 std::string counted(long n, const std::string& one, const std::string& many) {
@@ -47,9 +49,10 @@ std::string outcome_in_words(const Results& results) {
 
 }  // namespace
 
-Results evaluate(const Run& run, const Stages& stages, const Study* study) {
-  Results results{run, series_errors(run), {}, stages, study};
+Results evaluate(const Run& run, const Stages& stages, const Study* study, const Economy* economy) {
+  Results results{run, series_errors(run), {}, stages, study, economy};
   results.verdicts = verdicts(run, results.errors);
+  if (economy) results.verdicts.push_back(economy_verdict(*economy));
   results.outcome = judged_outcome(run, results.verdicts);
   return results;
 }

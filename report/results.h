@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/output/run.h"
+#include "engine/study/economy.h"
 #include "engine/study/study_file.h"
 #include "report/series_error.h"
 #include "report/stages.h"
@@ -18,9 +19,10 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;  ///< one for each of `errors`
+  std::vector<Verdict> verdicts;  ///< one for each of `errors`, then that of the economy
   Stages stages;                  ///< those before the report itself
   const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
+  const Economy* economy = nullptr;  ///< what the scene needs, where the run was left to it
   /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
   /// not met; else how the integration itself ended.
   Outcome outcome = Outcome::not_run;
@@ -29,7 +31,8 @@ struct Results {
 };
 
 /// Compares a run with its references.
-Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr);
+Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr,
+                 const Economy* economy = nullptr);
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);

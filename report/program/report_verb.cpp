@@ -1,3 +1,4 @@
+#include "report/program/economy_work.h"
 #include "report/program/study_kinds.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
@@ -23,7 +24,8 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   write_run(run, folder);
   const std::optional<Study> study = study_beside(options.input);
   if (study) write_study(*study, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr);
+  const std::optional<Economy> economy = choice_beside(options.input, run, folder);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, economy ? &*economy : nullptr);
 }
 
 }  // namespace plumb

@@ -9,6 +9,8 @@
 #include "engine/integrate/integrate.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/run_file.h"
+#include "render/gl_context.h"
+#include "report/economy_figure.h"
 #include "report/report_files.h"
 #include "report/study_pictures.h"
 
@@ -113,14 +115,20 @@ void say_stages(const Stages& stages, Talk& talk) {
 }
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study) {
+                           Talk& talk, const Study* study, const Economy* economy) {
   Pictures pictures = draw_pictures(run, {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
     pictures.study = draw_study(study->result, folder);
     stages.end();
   }
-  const Document document = document_of(evaluate(run, stages, study), pictures);
+  if (economy) {
+    const GlContext context;
+    for (Picture& picture : draw_figures({economy_figure(*economy)}, context,
+                                         picture_texts(context, run.loaded.spec.title), folder))
+      pictures.figures.push_back(std::move(picture));
+  }
+  const Document document = document_of(evaluate(run, stages, study, economy), pictures);
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();

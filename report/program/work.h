@@ -46,7 +46,7 @@ Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, O
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study = nullptr);
+                           Talk& talk, const Study* study = nullptr, const Economy* economy = nullptr);
 
 /// Says where the time went, and the peak memory.
 void say_stages(const Stages& stages, Talk& talk);
