@@ -45,7 +45,9 @@ const std::vector<Family>& families() {
       {"reduced quadrature", Color::hex(0x009E73), Marker::square,
        [](const Rung& rung) { return is_cable(rung) && !is_implicit(rung) && is_reduced(rung); }},
       {"no bending", Color::hex(0xCC79A7), Marker::triangle_down,
-       [](const Rung& rung) { return is_cable(rung) && !is_implicit(rung) && !is_reduced(rung) && is_slack(rung); }},
+       [](const Rung& rung) {
+         return is_cable(rung) && !is_implicit(rung) && !is_reduced(rung) && is_slack(rung);
+       }},
       {"long implicit steps", Color::hex(0x56B4E9), Marker::square,
        [](const Rung& rung) { return is_cable(rung) && is_implicit(rung); }},
   };

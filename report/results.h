@@ -19,9 +19,9 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;  ///< one for each of `errors`, then that of the economy
-  Stages stages;                  ///< those before the report itself
-  const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
+  std::vector<Verdict> verdicts;     ///< one for each of `errors`, then that of the economy
+  Stages stages;                     ///< those before the report itself
+  const Study* study = nullptr;      ///< the quick work-precision study made with the run, if any
   const Economy* economy = nullptr;  ///< what the scene needs, where the run was left to it
   /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
   /// not met; else how the integration itself ended.

@@ -21,7 +21,8 @@ enum class CableModel {
   /// Half of each link's mass at either end, straight links between that stretch only, ε = ½(λ² − 1) or λ − 1
   /// with λ the ratio of lengths. Slopes are no unknowns; those of outputs follow the neighbouring nodes.
   chain,
-  /// A rigid rod on a joint at its first end, which does not turn about its own axis: a spherical pendulum. It
+  /// A rigid rod on a joint at its first end, which does not turn about its own axis: a spherical pendulum.
+  /// It
   /// neither stretches nor bends; its nodes lie on a straight line.
   rigid,
 };

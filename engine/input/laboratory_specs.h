@@ -72,7 +72,7 @@ struct EconomySpec {
   std::optional<CameraSpec> close_up;  ///< a second camera, beside that of the scene
   int scenes = 0;                      ///< random ones, 0 to 100,000
   long seed = 0;                       ///< ≥ 0; scene k depends on the seed and k alone
-  int reference_elements = 0;          ///< at least; the reference is twice as fine as what is held against it
+  int reference_elements = 0;  ///< at least; the reference is twice as fine as what is held against it
 
   friend bool operator==(const EconomySpec&, const EconomySpec&) = default;
 };

@@ -33,10 +33,10 @@ EconomySpec read_economy(TableReader table, const SceneSpec& scene) {
   for (const int width : spec.widths) {
     const double height = 1.0 * width * scene.size[1] / scene.size[0];
     if (height < smallest_side || height > largest_side || height * width > most_pixels)
-      table.refuse_value("widths",
-                         fmt::format("gives a picture of {} by {:.0f} pixels; each side must be from {} to {}, "
-                                     "and all of it at most {:g}",
-                                     width, height, smallest_side, largest_side, most_pixels));
+      table.refuse_value(
+          "widths", fmt::format("gives a picture of {} by {:.0f} pixels; each side must be from {} to {}, "
+                                "and all of it at most {:g}",
+                                width, height, smallest_side, largest_side, most_pixels));
   }
   return spec;
 }

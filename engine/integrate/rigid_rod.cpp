@@ -52,9 +52,7 @@ class RigidRod : public OneStepMethod {
     return {};
   }
 
-  Vec3 rate(const Rod& rod) const {
-    return pull_ - (pull_.dot(rod.d) + rod.w.squaredNorm()) * rod.d;
-  }
+  Vec3 rate(const Rod& rod) const { return pull_ - (pull_.dot(rod.d) + rod.w.squaredNorm()) * rod.d; }
 
   static Rod whole(const Rod& rod) {
     const Vec3 d = rod.d.normalized();

@@ -64,7 +64,8 @@ class Search {
     try_own_mesh();
     climb();
     settle();
-    result_.search_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    result_.search_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return std::move(result_);
   }
 
@@ -118,8 +119,7 @@ class Search {
     const std::vector<double>& coarsest_of_three = whole[whole.size() - 3]->distances;
     const std::vector<double>& coarser = whole[whole.size() - 2]->distances;
     own_.resize(coarser.size());
-    for (std::size_t k = 0; k < own_.size(); ++k)
-      own_[k] = own_error(coarsest_of_three[k], coarser[k]).error;
+    for (std::size_t k = 0; k < own_.size(); ++k) own_[k] = own_error(coarsest_of_three[k], coarser[k]).error;
     own_ = so_far(std::move(own_));
     result_.finest = in_words(finest_->tried.rung);
     result_.finest_error = last(own_);
@@ -253,15 +253,17 @@ class Search {
           where, result_.tolerance);
       return;
     }
-    result_.uncertain = fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it", where,
-                                    result_.tolerance, finest_ != nullptr ? finest_->tried.rung.cable.elements : 0);
+    result_.uncertain =
+        fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it", where,
+                    result_.tolerance, finest_ != nullptr ? finest_->tried.rung.cable.elements : 0);
     // Neighbours that part tell whether any mesh could.
     constexpr int elements = 8;
     const double apart = 0.01 * spec_.cable.length;
     const Separation parted =
         separation(with_rung(spec_, cable_rung(spec_, elements)), 0, apart, start_distance, 5);
     if (!parted.times.empty() && !parted.beyond_end)
-      result_.uncertain += fmt::format("; the motion is beyond its predictability horizon: {}", parted.in_words);
+      result_.uncertain +=
+          fmt::format("; the motion is beyond its predictability horizon: {}", parted.in_words);
   }
 
   const Case& spec_;
@@ -279,11 +281,14 @@ class Search {
 
 Economy choose_rung(const Case& spec, const MakeGauge& make_gauge) {
   if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic)
-    throw InputError(fmt::format("method.name = \"{}\": nothing moves, so that there is no scene to compute "
-                                 "with less", spec.method.name));
+    throw InputError(
+        fmt::format("method.name = \"{}\": nothing moves, so that there is no scene to compute "
+                    "with less",
+                    spec.method.name));
   if (spec.cable.model != CableModel::cable)
-    throw InputError(fmt::format("cable.model = \"{}\": what a scene needs is told by the full model, \"cable\"",
-                                 word(spec.cable.model)));
+    throw InputError(
+        fmt::format("cable.model = \"{}\": what a scene needs is told by the full model, \"cable\"",
+                    word(spec.cable.model)));
   return Search(spec, make_gauge).result();
 }
 

@@ -29,34 +29,32 @@ struct Rung {
 struct TriedRung {
   Rung rung;
   Outcome outcome = Outcome::not_run;
-  std::string message;      ///< of an outcome other than completed
-  double seconds = -1;      ///< that the time loop took
-  double estimate = -1;     ///< of its picture error, pixels; -1: none; may be infinite
-  double true_error = -1;   ///< against a certified reference, pixels; -1: not known
-  double certain_until = 0; ///< s, up to which its estimate holds
-  std::string why;          ///< why it was left, or taken
+  std::string message;       ///< of an outcome other than completed
+  double seconds = -1;       ///< that the time loop took
+  double estimate = -1;      ///< of its picture error, pixels; -1: none; may be infinite
+  double true_error = -1;    ///< against a certified reference, pixels; -1: not known
+  double certain_until = 0;  ///< s, up to which its estimate holds
+  std::string why;           ///< why it was left, or taken
 };
 
 /// What a search for the cheapest rung that a scene needs has found.
 struct Economy {
-  double tolerance = 0;  ///< pixels
-  int case_elements = 0;  ///< of the mesh that the case names; 0: it names another model than a cable
+  double tolerance = 0;          ///< pixels
+  int case_elements = 0;         ///< of the mesh that the case names; 0: it names another model than a cable
   std::vector<TriedRung> tried;  ///< in the order of their predicted cost
   int chosen = -1;               ///< place in `tried`
   bool holds = false;            ///< the chosen one's error is within the tolerance, as far as can be told
   std::string finest;            ///< the rung that the estimates are from
   double finest_error = -1;      ///< its own estimated error, pixels
   double observed_ratio = -1;    ///< of the errors of its two coarser meshes, as far as they tell it
-  double time_share = -1;        ///< of the chosen one's error, what its step is guilty of, pixels; -1: not known
-  std::string uncertain;         ///< what is uncertain where nothing holds; empty: nothing
-  double search_seconds = 0;     ///< that the search took
-  double search_work = 0;        ///< predicted work of all that was run, ns
-  double safe_work = 0;          ///< predicted of one run at the safe default, ns
-  bool reused = false;           ///< taken from an earlier search
+  double time_share = -1;  ///< of the chosen one's error, what its step is guilty of, pixels; -1: not known
+  std::string uncertain;   ///< what is uncertain where nothing holds; empty: nothing
+  double search_seconds = 0;  ///< that the search took
+  double search_work = 0;     ///< predicted work of all that was run, ns
+  double safe_work = 0;       ///< predicted of one run at the safe default, ns
+  bool reused = false;        ///< taken from an earlier search
 
-  const TriedRung* choice() const {
-    return chosen < 0 ? nullptr : &tried[static_cast<std::size_t>(chosen)];
-  }
+  const TriedRung* choice() const { return chosen < 0 ? nullptr : &tried[static_cast<std::size_t>(chosen)]; }
 };
 
 /// Greatest distance on the picture between the centre lines of two runs, pixels, one for each frame that is

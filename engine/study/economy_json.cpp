@@ -102,7 +102,8 @@ class Hash {
 std::optional<Economy> with_key(const std::string& text, const char* name, const std::string& key) {
   try {
     const Json json = Json::parse(text);
-    if (json.at("kind") != "choice" || json.at("version") != choice_version || json.at(name) != key) return {};
+    if (json.at("kind") != "choice" || json.at("version") != choice_version || json.at(name) != key)
+      return {};
     return economy_of(json.at("economy"));
   } catch (const std::exception&) {
     return {};

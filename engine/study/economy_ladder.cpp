@@ -50,9 +50,8 @@ Rung leapfrog(const Case& spec, CableSpec cable, double share_of_step) {
   const double frequency =
       chain ? 2 * std::sqrt(cable.youngs_modulus / cable.density) / link : straight_frequency(cable);
   const double longest = scene_output_interval(spec) / 2;
-  Rung rung{cable,
-            with_step("velocity-verlet",
-                      in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
+  Rung rung{cable, with_step("velocity-verlet",
+                             in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
   rung.work = steps(spec, rung) * (chain ? verlet_chain : verlet_cable).of(cable.elements);
   return rung;
 }
@@ -92,9 +91,8 @@ Rung rigid_rung(const Case& spec) {
                       3 * spec.loads.end_force.norm() / (mass * cable.length);
   const double fastest = std::sqrt(spec.start.angular_velocity.squaredNorm() + 4 * pull);
   const double longest = scene_output_interval(spec);
-  Rung rung{cable,
-            with_step(std::string(rigid_rod_method).c_str(),
-                      in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
+  Rung rung{cable, with_step(std::string(rigid_rod_method).c_str(),
+                             in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
   rung.work = steps(spec, rung) * rigid_step.of(1);
   return rung;
 }
@@ -209,7 +207,8 @@ std::vector<Rung> ladder(const Case& spec, double limit) {
 Rung safe_rung(const Case& spec) {
   Rung rung{meshed(spec, safe_elements), plain_method(*find_method("arkode-erk"))};
   rung.method.rtol = rung.method.atol = safe_tolerance;
-  rung.work = std::ceil(spec.time.end * straight_frequency(rung.cable) / safe_phase) * safe_step.of(safe_elements);
+  rung.work =
+      std::ceil(spec.time.end * straight_frequency(rung.cable) / safe_phase) * safe_step.of(safe_elements);
   return rung;
 }
 

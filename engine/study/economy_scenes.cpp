@@ -50,7 +50,8 @@ std::vector<std::string> scene_overrides(const Case& file_case, long seed, long 
   result.push_back(
       fmt::format("scene.size=[{:.0f},{:.0f}]", width, std::round(width * shape.height / shape.width)));
   const std::string camera = draw.one_of(cameras);
-  result.push_back(camera == "placed" ? placed_camera(draw, file_case.cable.length) : "scene.camera=" + camera);
+  result.push_back(camera == "placed" ? placed_camera(draw, file_case.cable.length)
+                                      : "scene.camera=" + camera);
   result.push_back(fmt::format("scene.tolerance={:.3g}", draw.of_equal_ratio(0.25, 4)));
   return result;
 }

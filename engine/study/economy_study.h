@@ -11,12 +11,12 @@ namespace plumb {
 
 /// One picture of a case, what it needs, and how far that is from the truth.
 struct SceneNeed {
-  std::string name;   ///< "320 by 180, camera of the scene"
+  std::string name;  ///< "320 by 180, camera of the scene"
   SceneSpec scene;
-  Economy economy;    ///< with the true errors of all that was tried
-  double seconds = -1;        ///< of the chosen rung's time loop, the least of three
+  Economy economy;              ///< with the true errors of all that was tried
+  double seconds = -1;          ///< of the chosen rung's time loop, the least of three
   double reference_doubt = -1;  ///< what the reference may be off by, pixels
-  bool certified = false;     ///< that is at most a tenth of the tolerance
+  bool certified = false;       ///< that is at most a tenth of the tolerance
 
   /// Greatest ratio of a true error to its estimate, over all that was tried and has both.
   double worst_ratio() const;
@@ -44,9 +44,9 @@ struct RandomScene {
 struct EconomyStudy {
   LoadedCase loaded;
   EconomySpec spec;
-  std::string reference;      ///< in words
-  double safe_seconds = -1;   ///< of one run at the safe default
-  double safe_end = -1;       ///< s, that it reached in the time allowed
+  std::string reference;     ///< in words
+  double safe_seconds = -1;  ///< of one run at the safe default
+  double safe_end = -1;      ///< s, that it reached in the time allowed
   std::vector<SceneNeed> needs;
   std::vector<RandomScene> scenes;
   Provenance provenance;

@@ -43,12 +43,9 @@ CaseSource source_of(const Json& json) {
 }
 
 Json need_json(const SceneNeed& need) {
-  return {{"name", need.name},
-          {"size", need.scene.size},
-          {"seconds", need.seconds},
-          {"reference_doubt", need.reference_doubt},
-          {"certified", need.certified},
-          {"economy", economy_json(need.economy)}};
+  return {{"name", need.name},           {"size", need.scene.size},
+          {"seconds", need.seconds},     {"reference_doubt", need.reference_doubt},
+          {"certified", need.certified}, {"economy", economy_json(need.economy)}};
 }
 
 SceneNeed need_of(const Json& json, const LoadedCase& loaded) {
@@ -101,16 +98,11 @@ EconomyStudy read(const std::string& text) {
 }  // namespace
 
 Json random_scene_json(const RandomScene& scene) {
-  return {{"number", scene.number},
-          {"overrides", scene.overrides},
-          {"chosen", scene.chosen},
-          {"tolerance", scene.tolerance},
-          {"holds", scene.holds},
-          {"estimate", scene.estimate},
-          {"true_error", scene.true_error},
-          {"reference_doubt", scene.reference_doubt},
-          {"seconds", scene.seconds},
-          {"search_share", scene.search_share},
+  return {{"number", scene.number},         {"overrides", scene.overrides},
+          {"chosen", scene.chosen},         {"tolerance", scene.tolerance},
+          {"holds", scene.holds},           {"estimate", scene.estimate},
+          {"true_error", scene.true_error}, {"reference_doubt", scene.reference_doubt},
+          {"seconds", scene.seconds},       {"search_share", scene.search_share},
           {"uncertain", scene.uncertain}};
 }
 

@@ -55,7 +55,8 @@ Truth truth_of(const Case& spec, int elements, bool two_methods) {
   return truth;
 }
 
-/// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far off.
+/// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far
+/// off.
 double doubt_of(const Truth& truth, const PictureErrors& errors) {
   if (truth.motion.outcome != Outcome::completed) return INFINITY;
   double doubt = greatest(errors(truth.on_half_the_mesh)) / 3;
@@ -66,7 +67,8 @@ double doubt_of(const Truth& truth, const PictureErrors& errors) {
 /// The elements of a reference for what was chosen.
 int reference_elements(const EconomySpec& spec, const Economy& economy) {
   const TriedRung* choice = economy.choice();
-  const int chosen = choice && choice->rung.cable.model == CableModel::cable ? choice->rung.cable.elements : 0;
+  const int chosen =
+      choice && choice->rung.cable.model == CableModel::cable ? choice->rung.cable.elements : 0;
   return std::max(spec.reference_elements, 2 * chosen);
 }
 
@@ -131,7 +133,8 @@ CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
 double SceneNeed::worst_ratio() const {
   double worst = 0;
   for (const TriedRung& tried : economy.tried)
-    if (tried.estimate > 0 && tried.true_error >= 0) worst = std::max(worst, tried.true_error / tried.estimate);
+    if (tried.estimate > 0 && tried.true_error >= 0)
+      worst = std::max(worst, tried.true_error / tried.estimate);
   return worst;
 }
 

@@ -36,7 +36,8 @@ CaseSource with_choice(const LoadedCase& loaded, const Rung& rung) {
            (rung.cable.model != CableModel::cable && text.starts_with("cable.second_moment")) ||
            (rung.cable.model == CableModel::rigid && text.starts_with("cable.strain"));
   });
-  for (std::string& setting : rung_overrides(loaded.spec, rung)) source.overrides.push_back(std::move(setting));
+  for (std::string& setting : rung_overrides(loaded.spec, rung))
+    source.overrides.push_back(std::move(setting));
   return source;
 }
 
@@ -55,8 +56,8 @@ SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder
   if (known) {
     choice.economy = std::move(*known);
     choice.economy.reused = true;
-    talk.line(fmt::format("what the scene needs is known from an earlier search: {}/{}", folder,
-                          choice_file_name));
+    talk.line(
+        fmt::format("what the scene needs is known from an earlier search: {}/{}", folder, choice_file_name));
   } else {
     choice.economy = choose_rung(loaded.spec, gauge_maker(loaded.spec));
   }
@@ -80,7 +81,8 @@ LoadedCase as_the_scene_needs(const LoadedCase& loaded, const std::string& folde
 
 std::optional<Economy> choice_beside(const std::string& run_path, const Run& run, OutputFolder& folder) {
   std::error_code ignored;
-  const fs::path beside = fs::is_directory(run_path, ignored) ? fs::path(run_path) : fs::path(run_path).parent_path();
+  const fs::path beside =
+      fs::is_directory(run_path, ignored) ? fs::path(run_path) : fs::path(run_path).parent_path();
   const std::optional<std::string> text = choice_text_in(beside.string());
   if (!text) return {};
   std::optional<Economy> economy = decode_choice_made(*text, run.loaded.source);

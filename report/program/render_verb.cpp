@@ -47,7 +47,8 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   if (!options.video.empty())
     video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
   write_run(run, folder);
-  for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5", "choice.json"})
+  for (const char* report_file :
+       {"index.html", "results.json", "junit.xml", "summary.md", "study.h5", "choice.json"})
     folder.keep(report_file);
   const Pictures pictures = draw_pictures(run, frames, folder, stages, talk);
   if (video) {

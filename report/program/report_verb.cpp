@@ -25,7 +25,8 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   const std::optional<Study> study = study_beside(options.input);
   if (study) write_study(*study, folder);
   const std::optional<Economy> economy = choice_beside(options.input, run, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, economy ? &*economy : nullptr);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr,
+                         economy ? &*economy : nullptr);
 }
 
 }  // namespace plumb

@@ -32,7 +32,8 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
     study = quick_study(loaded, talk);
     write_study(*study, folder);
   }
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, economy ? &*economy : nullptr);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr,
+                         economy ? &*economy : nullptr);
 }
 
 }  // namespace plumb
