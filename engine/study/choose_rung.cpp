@@ -80,7 +80,9 @@ class Search {
 
   Member run(const Rung& rung) {
     result_.search_work += rung.work;
-    Member member{{rung}, integrate(with_rung(spec_, rung)), {}};
+    Member member;
+    member.tried.rung = rung;
+    member.trajectory = integrate(with_rung(spec_, rung));
     member.tried.outcome = member.trajectory.outcome;
     member.tried.message = member.trajectory.message;
     member.tried.seconds = member.trajectory.solve_seconds;
@@ -237,8 +239,10 @@ class Search {
   }
 
   void choose_safe() {
-    TriedRung safe{safe_rung(spec_)};
-    safe.why = "taken unproven: the search would cost more than this run";
+    TriedRung safe;
+    safe.rung = safe_rung(spec_);
+    safe.why = out_of_budget_ ? "taken unproven: the search would cost more than this run"
+                              : "taken unproven: no three meshes of the full model came to their end";
     result_.chosen = static_cast<int>(result_.tried.size());
     result_.tried.push_back(std::move(safe));
   }
@@ -253,9 +257,13 @@ class Search {
           where, result_.tolerance);
       return;
     }
+    if (finest_ == nullptr) {
+      result_.uncertain = where + ": no three meshes of the full model came to their end";
+      return;
+    }
     result_.uncertain =
         fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it", where,
-                    result_.tolerance, finest_ != nullptr ? finest_->tried.rung.cable.elements : 0);
+                    result_.tolerance, finest_->tried.rung.cable.elements);
     // Neighbours that part tell whether any mesh could.
     constexpr int elements = 8;
     const double apart = 0.01 * spec_.cable.length;

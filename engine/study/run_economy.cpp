@@ -12,6 +12,7 @@
 #include "engine/integrate/method_info.h"
 #include "engine/study/choose_rung.h"
 #include "engine/study/economy_ladder.h"
+#include "engine/study/economy_scenes.h"
 #include "engine/study/parallel.h"
 
 namespace plumb {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "engine/errors.h"
 #include "engine/input/file_text.h"
 #include "engine/output/file_writing.h"
 #include "engine/study/choose_rung.h"
@@ -44,7 +45,10 @@ CaseSource with_choice(const LoadedCase& loaded, const Rung& rung) {
 }  // namespace
 
 bool is_left_to_scene(const LoadedCase& loaded, const Options& options) {
-  return options.economy || loaded.spec.method.name == scene_method;
+  const bool left = options.economy || loaded.spec.method.name == scene_method;
+  if (options.explain && !left)
+    throw UsageError("--explain is for --economy, or a case with method.name = \"scene\"");
+  return left;
 }
 
 SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder, const Options& options,

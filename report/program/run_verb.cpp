@@ -27,7 +27,8 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
   stages.begin("run file");
   write_run(run, folder);
   std::optional<Study> study;
-  if (loaded.spec.work_precision) {
+  // A rigid rod has no methods and meshes to compare.
+  if (loaded.spec.work_precision && loaded.spec.cable.model != CableModel::rigid) {
     stages.begin("study");
     study = quick_study(loaded, talk);
     write_study(*study, folder);

@@ -81,6 +81,10 @@ TEST(EconomyProgram, WhatCannotBeLeftToTheSceneIsRefused) {
   expect_one_line(ended.err);
   EXPECT_FALSE(fs::exists(folder / "output/chain"));
   write_text(folder / "rod.toml", rod());
+  const Ended alone = plumb_in(folder.path(), {"run", "rod.toml", "--explain", "--set", "method.name=rk4",
+                                               "--set", "method.step=1e-4"});
+  EXPECT_EQ(alone.status, 2) << alone.err;
+  EXPECT_NE(alone.err.find("--explain is for --economy"), std::string::npos) << alone.err;
   const Ended rigid = plumb_in(folder.path(), {"study", "rod.toml", "sweep", "--set", "cable.model=rigid",
                                                "--set", "method.name=rk4", "--set", "method.step=1e-3"});
   EXPECT_EQ(rigid.status, 3) << rigid.err;
