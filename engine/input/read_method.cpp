@@ -14,6 +14,8 @@ namespace {
 const MethodInfo* read_name(TableReader& table) {
   std::vector<std::string> names;
   for (const MethodInfo& info : method_infos()) names.push_back(info.name);
+  // Of the words that are allowed; it has been seen to before.
+  names.emplace_back(scene_method);
   const auto index = table.choice("name", names, false);
   return index ? &method_infos()[*index] : nullptr;
 }
