@@ -91,21 +91,26 @@ class Search {
 
   static bool completed(const Member& member) { return member.tried.outcome == Outcome::completed; }
 
-  /// The full model on finer and finer meshes until one holds.
+  /// The full model on finer and finer meshes until one holds, and then once more: that proves it, and makes
+  /// estimates of others sharper.
   void refine() {
+    bool held = false;
     for (int elements = coarsest; elements <= finest; elements *= 2) {
       bool done = false;
       for (const double share : {1.0, 0.5, 0.25}) {
         const Rung rung = cable_rung(spec_, elements, share);
         if (!can_afford(rung)) {
-          out_of_budget_ = true;
+          out_of_budget_ = !held;
           return;
         }
         spine_.push_back(run(rung));
         done = completed(spine_.back());
         if (done) break;
       }
-      if (done && elements >= telling && estimate_spine()) return;
+      if (!done || elements < telling) continue;
+      const bool holds_now = estimate_spine();
+      if (held && holds_now) return;
+      held = holds_now;
     }
   }
 
@@ -159,6 +164,69 @@ class Search {
            std::any_of(climbed_.begin(), climbed_.end(), same);
   }
 
+  /// Pixels.
+  double greatest_estimate() const { return result_.tolerance / economy_safety; }
+
+  bool is_full(const CableSpec& cable) const {
+    return cable.model == CableModel::cable && cable.quadrature == spec_.cable.quadrature &&
+           cable.second_moment == spec_.cable.second_moment;
+  }
+
+  /// The tried rungs that are like one, in the order in which they were tried.
+  template <class Alike>
+  std::vector<const TriedRung*> tried_like(const Alike& alike) const {
+    std::vector<const TriedRung*> found;
+    for (const std::deque<Member>* members : {&spine_, &climbed_})
+      for (const Member& member : *members)
+        if (alike(member.tried.rung)) found.push_back(&member.tried);
+    return found;
+  }
+
+  /// The full model's coarsest mesh that holds; infinite where none does.
+  double coarsest_holding() const {
+    double elements = infinity;
+    for (const Member& member : spine_)
+      if (holds(member.tried)) elements = std::min<double>(elements, member.tried.rung.cable.elements);
+    return elements;
+  }
+
+  /// What need not be run, as what was run tells: meshes coarser than one that failed, steps that failed on
+  /// another mesh or that are not what the error is from, and models that do not get better with their mesh.
+  bool is_hopeless(const Rung& rung) const {
+    constexpr double gain = 0.7;  // of the estimate, that is still a gain
+    const CableSpec& cable = rung.cable;
+    if (cable.model == CableModel::rigid) return false;
+    if (cable.model == CableModel::chain || cable.second_moment != spec_.cable.second_moment) {
+      const auto alike = tried_like([&](const Rung& other) {
+        return other.cable.model == cable.model && other.cable.second_moment == cable.second_moment;
+      });
+      if (alike.size() < 3) return false;
+      const double before = alike[alike.size() - 3]->estimate, last = alike.back()->estimate;
+      return last > 2 * greatest_estimate() && last > gain * before;
+    }
+    const double needed = coarsest_holding();
+    if (!is_full(cable)) return 4 * cable.elements < needed;
+    // Half of the mesh that is needed has failed; with a shorter step it may do.
+    if (2 * cable.elements < needed) return true;
+    if (2 * cable.elements == needed && rung.method.name != "velocity-verlet") return true;
+    if (rung.method.name != "velocity-verlet") return !has_promise(*rung.method.step, rung.method.name);
+    // A shorter step than stability asks for.
+    const auto longer = tried_like([&](const Rung& other) {
+      return other.cable == cable && other.method.name == rung.method.name &&
+             *other.method.step > *rung.method.step;
+    });
+    return longer.size() >= 2 && longer.back()->estimate > gain * longer[longer.size() - 2]->estimate;
+  }
+
+  /// False where this step, or a shorter one, was tried on any mesh and was off by more than a finer mesh
+  /// could mend.
+  bool has_promise(double step, const std::string& method) const {
+    for (const TriedRung* tried : tried_like(
+             [&](const Rung& other) { return other.method.name == method && *other.method.step <= step; }))
+      if (tried->outcome != Outcome::completed || tried->estimate > 2 * greatest_estimate()) return false;
+    return true;
+  }
+
   void try_rung(const Rung& rung) {
     Member member = run(rung);
     if (completed(member)) member.distances = so_far(gauge_(member.trajectory));
@@ -182,7 +250,7 @@ class Search {
     // Without one that holds there is still the rod, and what a chain is good for.
     if (limit == infinity) limit = finest_->tried.rung.work;
     for (const Rung& rung : ladder(spec_, limit)) {
-      if (is_known(rung)) continue;
+      if (is_known(rung) || is_hopeless(rung)) continue;
       if (!can_afford(rung)) {
         out_of_budget_ = true;
         return;
@@ -261,9 +329,8 @@ class Search {
       result_.uncertain = where + ": no three meshes of the full model came to their end";
       return;
     }
-    result_.uncertain =
-        fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it", where,
-                    result_.tolerance, finest_->tried.rung.cable.elements);
+    result_.uncertain = fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it",
+                                    where, result_.tolerance, finest_->tried.rung.cable.elements);
     // Neighbours that part tell whether any mesh could.
     constexpr int elements = 8;
     const double apart = 0.01 * spec_.cable.length;
