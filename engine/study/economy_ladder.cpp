@@ -21,7 +21,7 @@ struct StepWork {
 
   double of(int elements) const { return fixed + element * elements; }
 };
-constexpr StepWork verlet_cable{150, 25}, verlet_chain{80, 36}, rigid_step{400, 20}, implicit_step{1000, 560};
+constexpr StepWork verlet_cable{150, 25}, verlet_chain{80, 36}, rigid_step{75, 10}, implicit_step{1000, 560};
 /// Of the safe default rather too little than too much: it bounds what a search may take.
 constexpr StepWork safe_step{400, 600};
 constexpr double safe_phase = 2.5;  // ωh of its steps, of the fastest vibration
@@ -140,6 +140,9 @@ std::vector<std::string> rung_overrides(const Case& spec, const Rung& rung) {
   if (rung.method.step) result.push_back(fmt::format("method.step={}", *rung.method.step));
   if (rung.method.rtol) result.push_back(fmt::format("method.rtol={}", *rung.method.rtol));
   if (rung.method.atol) result.push_back(fmt::format("method.atol={}", *rung.method.atol));
+  // All of them, as the file may have others for a method of the same name.
+  for (const auto& [name, value] : rung.method.parameters)
+    result.push_back(fmt::format("method.{}={}", name, value));
   return result;
 }
 

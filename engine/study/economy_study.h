@@ -18,7 +18,8 @@ struct SceneNeed {
   double reference_doubt = -1;  ///< what the reference may be off by, pixels
   bool certified = false;       ///< that is at most a tenth of the tolerance
 
-  /// Greatest ratio of a true error to its estimate, over all that was tried and has both.
+  /// Greatest ratio of a true error, less what the reference may be off by, to its estimate, over all that
+  /// was tried and has both.
   double worst_ratio() const;
 };
 

@@ -135,7 +135,7 @@ double SceneNeed::worst_ratio() const {
   double worst = 0;
   for (const TriedRung& tried : economy.tried)
     if (tried.estimate > 0 && tried.true_error >= 0)
-      worst = std::max(worst, tried.true_error / tried.estimate);
+      worst = std::max(worst, (tried.true_error - reference_doubt) / tried.estimate);
   return worst;
 }
 
@@ -159,7 +159,9 @@ RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& study,
   scene.search_share = economy.search_work / economy.safe_work;
   scene.uncertain = economy.uncertain;
   if (!scene.holds) return scene;
-  const Truth truth = truth_of(spec, reference_elements(study, economy), false);
+  EconomySpec coarser = study;
+  coarser.reference_elements = std::max(2, study.reference_elements / 2);
+  const Truth truth = truth_of(spec, reference_elements(coarser, economy), false);
   const PictureErrors errors = gauge_of(spec)(truth.motion);
   scene.reference_doubt = doubt_of(truth, errors);
   scene.true_error = greatest(errors(integrate(with_rung(spec, choice.rung))));

@@ -6,12 +6,6 @@
 namespace plumb {
 namespace {
 
-CaseSource small_with(const std::string& from, const std::string& to) {
-  CaseSource source = small_case();
-  source.file.text = with(source.file.text, from, to);
-  return source;
-}
-
 CaseSource with_economy(const std::string& lines) {
   CaseSource source = small_case();
   source.file.text += "[study.economy]\n" + lines;
