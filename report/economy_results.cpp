@@ -55,8 +55,8 @@ void judge_need(const EconomyStudy& study, const SceneNeed& need, std::vector<Ve
   const double worst = need.worst_ratio();
   verdicts.push_back(verdict_of(
       VerdictKind::verification, need.name + ": estimates",
-      fmt::format("true error ≤ {:g} × its estimate, of all rungs", economy_safety), worst, economy_safety,
-      "1", worst <= economy_safety,
+      fmt::format("true error ≤ {:g} × its estimate, beyond the doubt of the reference", economy_safety),
+      worst, economy_safety, "1", worst <= economy_safety,
       fmt::format("{:.2f} at most, over {}", worst, counted(std::ssize(economy.tried), "rung", "rungs"))));
   if (need.scene.size[0] > narrow) return;
   const double ratio = cost_ratio(study, need);

@@ -19,7 +19,8 @@ EconomySpec economy_study_of(const Case& spec);
 /// and all else that was tried against a reference: the Nyström pair of order 8 on a mesh at least twice as
 /// fine as any chosen. What that may be off by is told by the Gauss method of order 6, which shares nothing
 /// with it but the forces, and by a mesh of half its elements. Then does the same with random scenes, where
-/// half the mesh alone tells it. Throws InputError where the case cannot be varied or does not move.
+/// half of `reference_elements` is enough and half the mesh alone tells the doubt. Throws InputError where
+/// the case cannot be varied or does not move.
 EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of,
                          const EconomyProgress& progress = {});
 
