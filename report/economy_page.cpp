@@ -36,7 +36,6 @@ data need_rows(const EconomyStudy& study) {
     row["cost"] = fmt::format("{:.3g} ms", 1e3 * need.seconds);
     row["ratio"] = fmt::format("{:.0f}", cost_ratio(study, need));
     row["search"] = fmt::format("{:.2g}", need.economy.search_seconds / study.safe_seconds);
-    row["step"] = need.economy.time_share < 0 ? "–" : pixels_in_words(need.economy.time_share);
     rows.push_back(row);
   }
   return rows;

@@ -81,6 +81,15 @@ Counts counts_of(const EconomyStudy& study) {
   return counts;
 }
 
+/// The picture that the case itself asks for, if it was among them, or the first.
+const SceneNeed* own_picture(const EconomyStudy& study) {
+  const auto own = std::find_if(study.needs.begin(), study.needs.end(), [&](const SceneNeed& need) {
+    return need.scene.size == study.loaded.spec.scene.size;
+  });
+  if (own != study.needs.end()) return &*own;
+  return study.needs.empty() ? nullptr : &study.needs.front();
+}
+
 double met_share(const Counts& counts) {
   return counts.hold > 0 ? 1 - static_cast<double>(counts.missed) / static_cast<double>(counts.hold) : 1;
 }
@@ -114,8 +123,7 @@ std::string headline(const EconomyResults& results) {
       std::count_if(results.verdicts.begin(), results.verdicts.end(),
                     [](const Verdict& verdict) { return verdict.status == VerdictStatus::passed; });
   std::string text;
-  if (!study.needs.empty())
-    text = economy_sentence(study.needs.front().economy, study.needs.front().scene) + " ";
+  if (const SceneNeed* own = own_picture(study)) text = economy_sentence(own->economy, own->scene) + " ";
   if (!study.scenes.empty()) {
     const Counts counts = counts_of(study);
     text += fmt::format("Of {}, {} met the tolerance that the choice was said to meet, {} did not. ",

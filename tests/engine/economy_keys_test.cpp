@@ -58,8 +58,8 @@ TEST(EconomyKeys, EveryKeyIsRead) {
 
 TEST(EconomyKeys, BadValuesAreRefusedWithWhatIsAllowed) {
   for (const auto& [lines, says] : std::vector<std::pair<std::string, std::string>>{
-           {"widths = [8]", "widths[0] = 8: must be a whole number from 16 to 32768"},
-           {"widths = [16]", "widths = [16]: gives a picture of 16 by 9 pixels"},
+           {"widths = [8]", "widths.0 = 8: must be a whole number from 16 to 32768"},
+           {"widths = [16]", "widths = [16]: gives a picture of 16 by 12 pixels"},
            {"scenes = -1", "scenes = -1: must be a whole number from 0 to 100000"},
            {"scenes = 100001", "scenes = 100001: must be a whole number from 0 to 100000"},
            {"seed = -1", "seed = -1: must be a whole number from 0 to 1000000000000000"},
