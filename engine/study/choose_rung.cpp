@@ -319,18 +319,17 @@ class Search {
     const double until = finest_ != nullptr ? finest_->tried.certain_until : 0;
     const std::string where =
         until > 0 ? fmt::format("where the cable is after {:.3g} s", until) : "where the cable is";
-    if (out_of_budget_) {
+    if (out_of_budget_)
       result_.uncertain = fmt::format(
           "{} within {:g} px: to tell it would cost more than one run at the safe default, which was taken",
           where, result_.tolerance);
-      return;
-    }
-    if (finest_ == nullptr) {
+    else if (finest_ == nullptr)
       result_.uncertain = where + ": no three meshes of the full model came to their end";
-      return;
-    }
-    result_.uncertain = fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it",
-                                    where, result_.tolerance, finest_->tried.rung.cable.elements);
+    else
+      result_.uncertain = fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it",
+                                      where, result_.tolerance, finest_->tried.rung.cable.elements);
+    constexpr double falling = 2;  // errors that fall so from mesh to mesh would be small on a finer one
+    if (finest_ == nullptr || result_.observed_ratio >= falling) return;
     // Neighbours that part tell whether any mesh could.
     constexpr int elements = 8;
     const double apart = 0.01 * spec_.cable.length;
