@@ -18,8 +18,8 @@ struct SceneChoice {
   std::string key;  ///< of the case as it was, see choice_key()
 };
 
-/// True where --economy or method.name = "scene" asks for it. Throws UsageError where --explain has nothing to
-/// explain.
+/// True where --economy or method.name = "scene" asks for it. Throws UsageError where --explain has nothing
+/// to explain.
 bool is_left_to_scene(const LoadedCase& loaded, const Options& options);
 
 /// What the scene of a case needs: as choice.json in the folder says, if it is of the same case and program,
