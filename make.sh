@@ -4,6 +4,8 @@
 #   ./make.sh test     runs the whole test suite
 #   ./make.sh build    builds only
 #   ./make.sh bench    measures the kernels, one step of each method, and frames
+#   ./make.sh gallery  draws every kind of frame and figure onto one page, output/gallery/index.html
+#   ./make.sh builds   builds with gcc and clang, optimised and not, and compares what they draw (many minutes)
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -74,8 +76,16 @@ case ${1:-} in
       echo "matplotlib is not installed (python3-matplotlib): its frames a second are not measured"
     fi
     ;;
+  gallery)
+    build plumb
+    tests/gallery.sh "build/$preset/plumb" output/gallery
+    ;;
+  builds)
+    install_missing_packages
+    tests/builds.sh
+    ;;
   *)
-    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build and bench" >&2; fi
+    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build, bench, gallery and builds" >&2; fi
     sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p }' "$0" >&2
     exit 2
     ;;

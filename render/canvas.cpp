@@ -180,10 +180,10 @@ Image Canvas::read() const {
 void Canvas::read_into(Image& picture) const {
   const Gl& gl = context_.gl();
   const auto stride = static_cast<std::size_t>(width_);
-  std::vector<std::uint8_t> rgba(4 * stride * static_cast<std::size_t>(height_));
+  rgba_.resize(4 * stride * static_cast<std::size_t>(height_));
   gl.BindFramebuffer(GL_FRAMEBUFFER, flat_.framebuffer.id());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba_.data());
   context_.check("drawing a picture");
 
   // A canvas placed in a larger picture may reach beyond it.
@@ -193,7 +193,7 @@ void Canvas::read_into(Image& picture) const {
   const auto rows = static_cast<std::size_t>(std::clamp(picture.height - top, 0, height_));
   for (std::size_t row = 0; row < rows; ++row) {
     // OpenGL counts rows from the bottom.
-    const std::uint8_t* from = &rgba[4 * stride * (static_cast<std::size_t>(height_) - 1 - row)];
+    const std::uint8_t* from = &rgba_[4 * stride * (static_cast<std::size_t>(height_) - 1 - row)];
     const std::size_t first =
         (static_cast<std::size_t>(top) + row) * static_cast<std::size_t>(picture.width) +
         static_cast<std::size_t>(left);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/color.h"
 #include "render/gl_objects.h"
@@ -87,6 +89,7 @@ class Canvas {
   Rect region_;
   std::optional<GlProgram> resolver_;
   GlVertexArray no_attributes_;
+  mutable std::vector<std::uint8_t> rgba_;  // as it is read, kept from picture to picture
 };
 
 }  // namespace plumb

@@ -8,15 +8,12 @@
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
 
 void check_edges(const std::vector<double>& edges) {
   for (std::size_t k = 0; k < edges.size(); ++k)
     if (!std::isfinite(edges[k]) || (k > 0 && !(edges[k] > edges[k - 1])))
       throw OutputError(fmt::format("plot: edge {} of the cells, {}: must be finite and rise", k, edges[k]));
 }
-
-}  // namespace
 
 Color ink_on(Color color) {
   const double luminance =

@@ -5,6 +5,9 @@
 
 namespace plumb {
 
+/// Throws OutputError where edges of cells are not finite or do not rise.
+void check_edges(const std::vector<double>& edges);
+
 /// Throws OutputError where edges do not rise, cells and edges differ in number, or a category is not one of
 /// so many.
 void check_cells(const CellGrid& cells, std::size_t categories);

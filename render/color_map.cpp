@@ -2,8 +2,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plumb {
+namespace {
+
+using Oklab = std::array<double, 3>;  // lightness, green to red, blue to yellow
+
+Color from_oklab(const Oklab& c) {
+  // B. Ottosson, "A perceptual color space for image processing", 2020.
+  const auto cubed = [&](double a, double b) { return std::pow(c[0] + a * c[1] + b * c[2], 3); };
+  const double l = cubed(0.3963377774, 0.2158037573), m = cubed(-0.1055613458, -0.0638541728),
+               s = cubed(-0.0894841775, -1.2914855480);
+  const auto coded = [](double linear) {
+    const double x = std::clamp(linear, 0.0, 1.0);
+    return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+  };
+  return {coded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+          coded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+          coded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+}
+
+}  // namespace
 
 Color map_color(double value) {
   // M. Zucker's polynomials (shadertoy.com/view/WlfXRN, 2019, public domain), within 0.01 of the map's table.
@@ -24,6 +44,15 @@ Color map_color(double value) {
     return static_cast<float>(std::clamp(sum, 0.0, 1.0));
   };
   return {at(red), at(green), at(blue)};
+}
+
+Color diverging_map_color(double value) {
+  constexpr Oklab low = {0.40, -0.04, -0.115}, middle = {0.97, 0, 0}, high = {0.40, 0.10, 0.08};
+  const double t = 2 * std::clamp(value, 0.0, 1.0) - 1;
+  const Oklab& end = t < 0 ? low : high;
+  Oklab mixed{};
+  for (std::size_t k = 0; k < mixed.size(); ++k) mixed[k] = std::lerp(middle[k], end[k], std::abs(t));
+  return from_oklab(mixed);
 }
 
 }  // namespace plumb

@@ -11,16 +11,27 @@ void stream_frames(SceneRenderer& scene, const FrameRange& range, const PngTexts
                    const TakeFrame& take) {
   // The renderer has threads of its own, so that more frames under way than processors only cost memory.
   constexpr std::size_t waiting = 2;
-  std::deque<std::pair<int, std::future<std::string>>> encoding;
+  struct Encoded {
+    std::string png;
+    Image image;  // for the memory of a later one
+  };
+  std::deque<std::pair<int, std::future<Encoded>>> encoding;
+  Image spare;
   const auto take_first = [&] {
-    take(encoding.front().first, encoding.front().second.get());
+    Encoded encoded = encoding.front().second.get();
+    take(encoding.front().first, std::move(encoded.png));
+    spare = std::move(encoded.image);
     encoding.pop_front();
   };
   for (int k = range.first; k <= range.last; ++k) {
     stop_if_interrupted();
-    encoding.emplace_back(k, std::async(std::launch::async, [image = scene.frame(k), &texts, effort] {
-                            return encode_png(image, texts, effort);
-                          }));
+    Image image = std::move(spare);
+    scene.frame(k, image);
+    encoding.emplace_back(
+        k, std::async(std::launch::async, [image = std::move(image), &texts, effort]() mutable {
+          std::string png = encode_png(image, texts, effort);
+          return Encoded{std::move(png), std::move(image)};
+        }));
     if (encoding.size() > waiting) take_first();
   }
   while (!encoding.empty()) take_first();

@@ -21,6 +21,21 @@ void refuse_crashing_environment() {
         "LP_NATIVE_VECTOR_WIDTH={}: the software renderer crashes with it; unset it or use 256", width));
 }
 
+// What a driver that draws on the processor may use of it, which moves a lit pixel by a level here and there.
+std::string instructions(const std::string& renderer) {
+  if (renderer.find("llvmpipe") == std::string::npos) return {};
+  std::string level;
+#ifdef __x86_64__
+  level = __builtin_cpu_supports("avx2")     ? ", AVX2"
+          : __builtin_cpu_supports("avx")    ? ", AVX"
+          : __builtin_cpu_supports("sse4.1") ? ", SSE4.1"
+                                             : ", SSE2";
+  if (__builtin_cpu_supports("fma")) level += " and FMA";
+#endif
+  const char* lowered = std::getenv("GALLIUM_OVERRIDE_CPU_CAPS");
+  return lowered != nullptr ? fmt::format("{}, lowered to {}", level, lowered) : level;
+}
+
 const char* error_name(GLenum error) {
   switch (error) {
     case GL_INVALID_ENUM:
@@ -57,6 +72,7 @@ GlContext::GlContext(const GlBackendChoice& choice) {
 
   info_.backend = backend_->description();
   info_.renderer = reinterpret_cast<const char*>(gl_->GetString(GL_RENDERER));
+  info_.renderer += instructions(info_.renderer);
   info_.version = reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
   GLint texture = 0;
   GLint renderbuffer = 0;

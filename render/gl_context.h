@@ -11,14 +11,15 @@ struct Gl;
 
 /// What the renderer runs on.
 struct GlInfo {
-  std::string backend;   ///< "OSMesa", "EGL 1.5, device 0 of 1 (software)"
-  std::string renderer;  ///< GL_RENDERER: "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string version;   ///< GL_VERSION: "4.5 (Core Profile) Mesa 22.3.6"
-  int max_size = 0;      ///< greatest width or height of a picture after supersampling, pixels
-  int max_samples = 0;   ///< samples a pixel of a multisampled texture
+  std::string backend;  ///< "OSMesa", "EGL 1.5, device 0 of 1 (software)"
+  std::string
+      renderer;  ///< GL_RENDERER and how it uses the processor: "llvmpipe (LLVM 15.0.6, 256 bits), AVX2"
+  std::string version;  ///< GL_VERSION: "4.5 (Core Profile) Mesa 22.3.6"
+  int max_size = 0;     ///< greatest width or height of a picture after supersampling, pixels
+  int max_samples = 0;  ///< samples a pixel of a multisampled texture
 
-  /// Pictures drawn with the same fingerprint on the same machine are the same to the byte: backend, renderer
-  /// and version.
+  /// Pictures drawn with the same fingerprint are the same to the byte: backend, renderer, the processor's
+  /// instructions, and version.
   std::string fingerprint() const { return backend + "; " + renderer + "; OpenGL " + version; }
 };
 

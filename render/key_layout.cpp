@@ -7,8 +7,6 @@
 namespace plumb {
 namespace {
 
-constexpr Color ink = Color::hex(0x222222);
-
 const std::string& label_of(const Key& key, const KeyEntry& entry) {
   return entry.category ? key.categories[entry.index].label : key.lines[entry.index].label;
 }
@@ -53,8 +51,8 @@ KeyLayout key_layout(const Key& key, double top, double width, const PlotSizes& 
   return layout;
 }
 
-void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& entries,
-              const PlotSizes& sizes) {
+void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& entries, const PlotSizes& sizes,
+              const PlotTheme& theme) {
   for (const KeyEntry& entry : entries) {
     if (entry.category) {
       draw_cell(painter, entry.sample, key.categories[entry.index], sizes);
@@ -62,9 +60,9 @@ void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& ent
       const Series& line = key.lines[entry.index];
       const double y = (entry.sample.top + entry.sample.bottom) / 2;
       painter.line(std::array{Point(entry.sample.left, y), Point(entry.sample.right, y)},
-                   line.line_width * sizes.line, line.color.value_or(ink), line.dash);
+                   line.line_width * sizes.line, seen_on(theme, line.color.value_or(theme.ink)), line.dash);
     }
-    painter.text(label_of(key, entry), sizes.legend, entry.at.x(), entry.at.y(), Align::left, ink);
+    painter.text(label_of(key, entry), sizes.legend, entry.at.x(), entry.at.y(), Align::left, theme.ink);
   }
 }
 

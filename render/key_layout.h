@@ -2,6 +2,7 @@
 
 #include "render/painter.h"
 #include "render/plot_layout.h"
+#include "render/plot_theme.h"
 
 namespace plumb {
 
@@ -13,6 +14,7 @@ struct KeyLayout {
 /// The key of a plot in rows from `top`, centred in `width`.
 KeyLayout key_layout(const Key& key, double top, double width, const PlotSizes& sizes, const Font& font);
 
-void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& entries, const PlotSizes& sizes);
+void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& entries, const PlotSizes& sizes,
+              const PlotTheme& theme);
 
 }  // namespace plumb

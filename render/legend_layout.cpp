@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "render/band.h"
+
 namespace plumb {
 
 namespace {
@@ -38,6 +40,38 @@ double row_height(const PlotSizes& sizes) {
   return 1.3 * sizes.legend.size;
 }
 
+// From one end to the other, upright or level.
+void add_between(const Point& from, const Point& to, double apart, std::vector<Point>& samples) {
+  const double pieces = std::max(1.0, std::floor((to - from).lpNorm<1>() / apart));
+  for (double k = 0; k <= pieces; k += 1) samples.emplace_back(from + (to - from) * (k / pieces));
+}
+
+// What bands and error bars reach, as far as it is in the frame.
+void add_extents(const Series& series, const PanelLayout& layout, double apart, std::vector<Point>& samples) {
+  const Rect& frame = layout.frame;
+  const auto in_x = [&](double x) { return std::clamp(x, frame.left, frame.right); };
+  const auto in_y = [&](double y) { return std::clamp(y, frame.top, frame.bottom); };
+  double last = -std::numeric_limits<double>::infinity();
+  const ExtentPixels band = pixels(series.band, layout.y);
+  const ExtentPixels x_error = pixels(series.x_error, layout.x), y_error = pixels(series.y_error, layout.y);
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const Point at(layout.x(series.x[i]), layout.y(series.y[i]));
+    const auto upright = [&](const ExtentPixels& ends) {
+      if (ends.lower.empty() || std::isnan(ends.lower[i]) || std::isnan(ends.upper[i])) return;
+      add_between({at.x(), in_y(ends.lower[i])}, {at.x(), in_y(ends.upper[i])}, apart, samples);
+    };
+    if (!(at.x() >= frame.left && at.x() <= frame.right)) continue;
+    if (std::abs(at.x() - last) >= apart) {
+      upright(band);
+      last = at.x();
+    }
+    upright(y_error);
+    if (x_error.lower.empty() || std::isnan(x_error.lower[i]) || std::isnan(x_error.upper[i])) continue;
+    if (at.y() >= frame.top && at.y() <= frame.bottom)
+      add_between({in_x(x_error.lower[i]), at.y()}, {in_x(x_error.upper[i]), at.y()}, apart, samples);
+  }
+}
+
 }  // namespace
 
 std::vector<Point> data_samples(const Panel& panel, const PanelLayout& layout, double apart) {
@@ -47,7 +81,11 @@ std::vector<Point> data_samples(const Panel& panel, const PanelLayout& layout, d
     for (double y = area.top; y < area.bottom; y += apart)
       for (double x = area.left; x < area.right; x += apart) result.emplace_back(x, y);
   }
+  if (panel.heat_map)
+    for (double y = layout.frame.top; y < layout.frame.bottom; y += apart)
+      for (double x = layout.frame.left; x < layout.frame.right; x += apart) result.emplace_back(x, y);
   for (const Series& series : panel.series) {
+    add_extents(series, layout, apart, result);
     const std::vector<Point> points = pixels(series, layout);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].allFinite()) continue;

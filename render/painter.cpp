@@ -186,6 +186,25 @@ void Painter::stamp(const TextBitmap& bitmap, double x, double y, Color color) {
   gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+void Painter::picture(const ColorBitmap& bitmap, double left, double top) {
+  if (bitmap.width <= 0 || bitmap.height <= 0) return;
+  const Gl& gl = context_.gl();
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, glyphs_.id());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, bitmap.width, bitmap.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                bitmap.rgba.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  text_.use();
+  text_.set("size", static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
+  text_.set("box", Color{static_cast<float>(std::round(left) - canvas_->left()),
+                         static_cast<float>(std::round(top) - canvas_->top()),
+                         static_cast<float>(bitmap.width), static_cast<float>(bitmap.height)});
+  text_.set("solid", 2);
+  gl.BindVertexArray(no_attributes_.id());
+  gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
 void Painter::size_mask() {
   if (mask_width_ == canvas_->width() && mask_height_ == canvas_->height()) return;
   mask_width_ = canvas_->width();

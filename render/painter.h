@@ -1,14 +1,23 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "render/canvas.h"
 #include "render/shapes.h"
 #include "render/text.h"
 
 namespace plumb {
+
+/// Colours, sRGB and opacity, 0 to 255 each, rows from the top.
+struct ColorBitmap {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
 
 /// Draws flat, anti-aliased shapes and text on a canvas. Lengths are in pixels from the top left corner, and
 /// (0.5, 0.5) is the middle of the first pixel. A line is drawn into a mask first, where overlapping pieces
@@ -34,6 +43,10 @@ class Painter {
   void fill(const Rect& rect, Color color);
   /// Lines just inside a rectangle.
   void frame(const Rect& rect, int width, Color color);
+  /// Its pixels as they are, from the corner at (left, top), rounded to whole pixels.
+  void picture(const ColorBitmap& bitmap, double left, double top);
+  /// One colour where a bitmap has coverage; (x, y) is where its pen starts.
+  void stamp(const TextBitmap& bitmap, double x, double y, Color color);
   /// With its base line at `y`.
   void text(std::string_view text, TextStyle style, double x, double y, Align align, Color color);
   /// Turned by 90° against the clock, with its base line at `x`; `align` is along the text.
@@ -42,7 +55,6 @@ class Painter {
   const Font& font() const { return font_; }
 
  private:
-  void stamp(const TextBitmap& bitmap, double x, double y, Color color);
   void draw_shapes(std::span<const float> shapes, Color color);
   void size_mask();
   void limit_to(const Rect& rect);

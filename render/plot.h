@@ -5,10 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "engine/input/scene_spec.h"
 #include "render/color.h"
 #include "render/shapes.h"
 
 namespace plumb {
+
+/// Texts may have markup (markup.h): "10^{-3}", "κ_{max}". What users wrote goes through literal() first.
+
+/// From where to where each point of a series may be; both empty: not shown. It has a part in the range of
+/// its axis.
+struct Extent {
+  std::vector<double> lower;
+  std::vector<double> upper;  ///< as many as points, as `lower`
+};
 
 /// Points joined by a line, shown by markers, or both. Points that are not finite, or not above 0 on a
 /// logarithmic axis, are left out and break the line.
@@ -22,6 +32,9 @@ struct Series {
   Marker marker = Marker::none;
   bool open_marker = true;  ///< outline only, so that what lies below shows
   double marker_size = 1;   ///< in units of the plot's marker size
+  Extent band = {};         ///< of y, shaded below all lines
+  Extent x_error = {};      ///< bars with caps, where they are longer than the marker
+  Extent y_error = {};
 };
 
 enum class Scale { linear, logarithmic };
@@ -68,6 +81,17 @@ struct CellGrid {
   std::vector<int> categories;  ///< rows from below, each from the left: places in Key::categories; -1: none
 };
 
+/// Rectangles that fill a panel as those of a CellGrid do, each coloured by a number, with a bar of the
+/// colours to the right of the panel.
+struct HeatMap {
+  std::vector<double> x_edges;  ///< rising, one more than columns
+  std::vector<double> y_edges;  ///< rising, one more than rows
+  std::vector<double> values;   ///< rows from below, each from the left; what is not finite is left out
+  std::string label;            ///< of the colours' bar, with the unit
+  std::optional<std::array<double, 2>> range;  ///< lo < hi; default: the values', even about 0 if diverging
+  bool diverging = false;                      ///< two hues that part at the middle of the range
+};
+
 /// What a plot says once of all its panels, below its title.
 struct Key {
   std::vector<CellCategory> categories;
@@ -83,6 +107,7 @@ struct Panel {
   std::vector<Series> series;
   std::vector<Rule> rules;
   std::vector<Bar> bars = {};
+  std::optional<HeatMap> heat_map = {};
   double height_share = 1;      ///< of the height, relative to the other panels, > 0
   bool equal_axes = false;      ///< one unit is as long along x as along y; linear axes only
   bool shares_x_below = false;  ///< has the x axis of the panel below, which alone shows its labels
@@ -99,6 +124,7 @@ struct Plot {
   int width = 1600;       ///< pixels
   int height = 1200;      ///< pixels
   double font_size = 36;  ///< of labels, pixels, > 0; widths of lines and markers go with it
+  SceneTheme theme = SceneTheme::light;  ///< colours that would not be seen on it are shifted
 };
 
 }  // namespace plumb

@@ -8,6 +8,9 @@
 
 #include "engine/errors.h"
 #include "render/cell_grid.h"
+#include "render/color_bar.h"
+#include "render/given_ticks.h"
+#include "render/heat_map.h"
 #include "render/key_layout.h"
 #include "render/legend_layout.h"
 #include "render/log_axis_ticks.h"
@@ -28,6 +31,11 @@ struct Span {
     lo = std::min(lo, value);
     hi = std::max(hi, value);
   }
+  void add(const std::vector<double>& edges) {
+    if (edges.empty()) return;
+    add(edges.front());
+    add(edges.back());
+  }
 };
 
 struct PanelRanges {
@@ -39,6 +47,12 @@ struct PanelRanges {
 
 bool has_place(double value, Scale scale) {
   return std::isfinite(value) && (scale == Scale::linear || value > 0);
+}
+
+void add(const Extent& extent, std::size_t point, Scale scale, Span& span) {
+  if (extent.lower.empty()) return;
+  for (const double end : {extent.lower[point], extent.upper[point]})
+    if (has_place(end, scale)) span.add(end);
 }
 
 AxisRange fitted(const Span& data, double margin, Scale scale) {
@@ -63,19 +77,30 @@ AxisRange given_range(const std::array<double, 2>& range, Scale scale) {
 Span x_span(const Plot& plot, std::size_t first, std::size_t last) {
   const Scale scale = plot.panels[last].x.scale;
   Span span;
-  for (std::size_t p = first; p <= last; ++p)
+  for (std::size_t p = first; p <= last; ++p) {
     for (const Series& series : plot.panels[p].series)
-      for (std::size_t i = 0; i < series.x.size(); ++i)
-        if (has_place(series.x[i], scale) && has_place(series.y[i], plot.panels[p].y.scale))
-          span.add(series.x[i]);
+      for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (!has_place(series.x[i], scale) || !has_place(series.y[i], plot.panels[p].y.scale)) continue;
+        span.add(series.x[i]);
+        add(series.x_error, i, scale, span);
+      }
+    if (plot.panels[p].heat_map) span.add(plot.panels[p].heat_map->x_edges);
+  }
   return span;
 }
 
 Span y_span(const Panel& panel, Scale x_scale) {
   Span span;
   for (const Series& series : panel.series)
-    for (std::size_t i = 0; i < series.y.size(); ++i)
-      if (has_place(series.x[i], x_scale) && has_place(series.y[i], panel.y.scale)) span.add(series.y[i]);
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+      if (!has_place(series.x[i], x_scale)) continue;
+      if (has_place(series.y[i], panel.y.scale)) {
+        span.add(series.y[i]);
+        add(series.y_error, i, panel.y.scale, span);
+      }
+      add(series.band, i, panel.y.scale, span);
+    }
+  if (panel.heat_map) span.add(panel.heat_map->y_edges);
   return span;
 }
 
@@ -86,8 +111,11 @@ std::vector<PanelRanges> panel_ranges(const Plot& plot) {
     if (plot.panels[last].shares_x_below && last + 1 < plot.panels.size()) continue;
     const Span data = x_span(plot, first, last);
     const Axis& axis = plot.panels[last].x;
+    const bool filled = std::any_of(plot.panels.begin() + static_cast<std::ptrdiff_t>(first),
+                                    plot.panels.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                                    [](const Panel& panel) { return panel.heat_map.has_value(); });
     const AxisRange shared =
-        axis.range ? given_range(*axis.range, axis.scale) : fitted(data, x_margin, axis.scale);
+        axis.range ? given_range(*axis.range, axis.scale) : fitted(data, filled ? 0 : x_margin, axis.scale);
     for (; first <= last; ++first) {
       ranges[first].x = shared;
       ranges[first].x_scale = axis.scale;
@@ -96,7 +124,8 @@ std::vector<PanelRanges> panel_ranges(const Plot& plot) {
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
     const Axis& axis = plot.panels[p].y;
     const Span data = y_span(plot.panels[p], ranges[p].x_scale);
-    ranges[p].y = axis.range ? given_range(*axis.range, axis.scale) : fitted(data, y_margin, axis.scale);
+    const double margin = plot.panels[p].heat_map ? 0 : y_margin;
+    ranges[p].y = axis.range ? given_range(*axis.range, axis.scale) : fitted(data, margin, axis.scale);
     ranges[p].y_scale = axis.scale;
   }
   return ranges;
@@ -105,6 +134,13 @@ std::vector<PanelRanges> panel_ranges(const Plot& plot) {
 void widen(AxisRange& range, double span) {
   const double middle = range.lo / 2 + range.hi / 2;
   range = {middle - span / 2, middle + span / 2};
+}
+
+void shift(ColorBarLayout& bar, double right) {
+  bar.area.left += right;
+  bar.area.right += right;
+  bar.tick_left += right;
+  bar.label_base += right;
 }
 
 void equalise(PanelRanges& ranges, const Rect& frame) {
@@ -116,10 +152,17 @@ void equalise(PanelRanges& ranges, const Rect& frame) {
 
 void check(const Plot& plot) {
   for (const Panel& panel : plot.panels) {
-    for (const Series& series : panel.series)
+    for (const Series& series : panel.series) {
       if (series.x.size() != series.y.size())
         throw OutputError(fmt::format("plot: series '{}' has {} x and {} y", series.label, series.x.size(),
                                       series.y.size()));
+      for (const Extent* extent : {&series.band, &series.x_error, &series.y_error})
+        if (extent->lower.size() != extent->upper.size() ||
+            (!extent->lower.empty() && extent->lower.size() != series.x.size()))
+          throw OutputError(fmt::format("plot: series '{}' has {} points and from {} to {} ends of an extent",
+                                        series.label, series.x.size(), extent->lower.size(),
+                                        extent->upper.size()));
+    }
     for (const Rule& rule : panel.rules)
       if (std::isnan(rule.from) || std::isnan(rule.to))
         throw OutputError(
@@ -135,6 +178,7 @@ void check(const Plot& plot) {
     if (panel.equal_axes && (panel.x.scale != Scale::linear || panel.y.scale != Scale::linear))
       throw OutputError("plot: equal axes must both be linear");
     if (panel.cells) check_cells(*panel.cells, plot.key.categories.size());
+    if (panel.heat_map) check_heat_map(*panel.heat_map);
     if (!(panel.height_share > 0))
       throw OutputError(
           fmt::format("plot: a panel's height share of {}: must be greater than 0", panel.height_share));
@@ -142,26 +186,6 @@ void check(const Plot& plot) {
   if (!(plot.font_size > 0))
     throw OutputError(fmt::format("plot: a font size of {}: must be greater than 0", plot.font_size));
   if (plot.columns < 1) throw OutputError(fmt::format("plot: {} columns: must be at least 1", plot.columns));
-}
-
-// Those of the given values that are inside; where a label would overlap the one before, it is empty.
-AxisTicks given_ticks(const AxisMap& axis, const Axis& given, const TickRoom& room) {
-  AxisTicks ticks;
-  double free_from = -std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < given.ticks.size(); ++k) {
-    const double value = given.ticks[k];
-    const double at = std::abs(axis(value) - axis.start);
-    if (!(value >= axis.range.lo && value <= axis.range.hi)) continue;
-    std::string label = given.tick_labels.empty() ? fmt::format("{:g}", value) : given.tick_labels[k];
-    const double half = room.extent(label) / 2;
-    if (at - half < free_from)
-      label.clear();
-    else
-      free_from = at + half + room.gap;
-    ticks.major.push_back(value);
-    ticks.labels.push_back(std::move(label));
-  }
-  return ticks;
 }
 
 bool has_legend(const Panel& panel) {
@@ -187,9 +211,15 @@ class Stack {
     place_vertically(layout, legend_heights);
 
     const std::vector<PanelRanges> ranges = panel_ranges(plot_);
+    double right = right_margin();
     for (std::size_t p = 0; p < layout.panels.size(); ++p) {
-      layout.panels[p].y.range = ranges[p].y;
-      layout.panels[p].x.range = ranges[p].x;
+      PanelLayout& panel = layout.panels[p];
+      panel.y.range = ranges[p].y;
+      panel.x.range = ranges[p].x;
+      if (!plot_.panels[p].heat_map) continue;
+      const HeatMap& map = *plot_.panels[p].heat_map;
+      panel.color_bar = color_bar_layout(map, panel.frame.top, panel.frame.bottom, sizes_, font_);
+      right = std::max(right, color_bar_width(map, *panel.color_bar, sizes_, font_));
     }
     // The widest y labels set the left end of all frames. With equal axes the labels depend on the frame in
     // turn: the second pass has the frame of the first, which is close enough for the labels to be the same.
@@ -199,7 +229,7 @@ class Stack {
       for (std::size_t p = 0; p < layout.panels.size(); ++p) {
         PanelLayout& panel = layout.panels[p];
         panel.frame.left = std::round(std::max(left, sizes_.gap));
-        panel.frame.right = std::round(plot_.width - right_margin());
+        panel.frame.right = std::round(plot_.width - right);
         if (panel.frame.width() < 4 * sizes_.tick.size)
           throw OutputError(fmt::format("plot: {} x {} pixels are too few for a font of {}", plot_.width,
                                         plot_.height, plot_.font_size));
@@ -215,6 +245,9 @@ class Stack {
       panel.y_label_base = sizes_.gap + font_.measure("X", sizes_.label).ascent;
       panel.y_exponent_base = panel.frame.top - 0.45 * sizes_.gap - sizes_.frame;
       panel.rules = rule_layouts(plot_.panels[p], panel, sizes_, font_);
+      if (!panel.color_bar) continue;
+      shift(*panel.color_bar, panel.frame.right);
+      panel.color_bar->exponent_base = panel.y_exponent_base;
     }
     return layout;
   }
@@ -282,7 +315,7 @@ class Stack {
   }
 
   static AxisTicks ticks(const AxisMap& axis, const Axis& given, const TickRoom& room) {
-    if (!given.ticks.empty()) return given_ticks(axis, given, room);
+    if (!given.ticks.empty()) return given_ticks(axis, given.ticks, given.tick_labels, room);
     return axis.scale == Scale::linear ? axis_ticks(axis.range.lo, axis.range.hi, room)
                                        : log_axis_ticks(axis.range.lo, axis.range.hi, room);
   }
@@ -347,6 +380,7 @@ Plot column_of(const Plot& plot, int column) {
 }
 
 void shift(PanelLayout& panel, double right) {
+  if (panel.color_bar) shift(*panel.color_bar, right);
   panel.frame.left += right;
   panel.frame.right += right;
   panel.x.start += right;

@@ -47,6 +47,16 @@ struct LegendLayout {
   std::vector<Point> at;            ///< left end of each entry's base line
 };
 
+/// The colours of a heat map beside its panel.
+struct ColorBarLayout {
+  Rect area;  ///< whole pixels
+  AxisMap values;
+  AxisTicks ticks;
+  double tick_left = 0;   ///< where the labels of the ticks begin
+  double label_base = 0;  ///< of the turned text: an x
+  double exponent_base = 0;
+};
+
 /// A rule that reaches into its panel.
 struct RuleLayout {
   std::size_t rule = 0;  ///< index
@@ -69,6 +79,7 @@ struct PanelLayout {
   double y_exponent_base = 0;
   std::vector<RuleLayout> rules;
   std::optional<LegendLayout> legend;
+  std::optional<ColorBarLayout> color_bar;
 };
 
 /// An entry of a plot's key: a category, or a line.
@@ -86,9 +97,9 @@ struct PlotLayout {
 };
 
 /// Where everything in a plot goes. Needs the font, but nothing that draws.
-/// Throws OutputError when a series' x and y differ in number, a given range is not one or has no place on a
-/// logarithmic axis, equal axes are not linear, a rule or bar is not a number, ticks have labels but not one
-/// each, cells do not fit their edges or the key, or the plot is too small.
+/// Throws OutputError when a series' x and y or their extents differ in number, a given range is not one or
+/// has no place on a logarithmic axis, equal axes are not linear, a rule or bar is not a number, ticks have
+/// labels but not one each, cells or a heat map do not fit their edges or the key, or the plot is too small.
 PlotLayout plot_layout(const Plot& plot, const Font& font);
 
 /// Points of a series in pixels; those that cannot be drawn are not finite.

@@ -15,6 +15,7 @@
 #include "render/color_map.h"
 #include "render/frame_texts.h"
 #include "render/ground.h"
+#include "render/markup.h"
 #include "render/painter.h"
 #include "render/scene_camera.h"
 #include "render/shaders.h"
@@ -100,7 +101,7 @@ class SceneRenderer::Drawing {
         strands_(make_strands(trajectory)),
         tiles_(tiles_of(width_, height_, largest_tile > 0 ? largest_tile : tile_limit(context, input.spec))),
         canvas_(context, tiles_.front().width, tiles_.front().height, input.spec.supersampling),
-        stage_(make_stage(places(), input.length, main().radius(), input.gravity)),
+        stage_(make_stage(places(), input.length, main().radius(), input.gravity, is_side_by_side())),
         painter_(context),
         background_(context, fullscreen_vert, background_frag),
         ground_(context, stage_, main().radius(), input.length, canvas_.layer_scale(), theme_.grid,
@@ -132,24 +133,21 @@ class SceneRenderer::Drawing {
     return {path_->at(time), width_, height_, stage_.center, stage_.radius};
   }
 
-  Image draw(double time) {
+  void draw(double time, Image& picture) {
     context_.make_current();
     if (path_->moves()) look(time);
     texts_.time = fmt::format("t = {:.{}f} s", time, decimals(1 / spec().frame_rate));
     Layers layers = prepare(time);
     ground_.cast_shadow(layers.shadows);
-    if (tiles_.size() == 1) {
-      draw_tile(tiles_.front(), layers);
-      return canvas_.read();
-    }
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    Image picture{width_, height_, std::vector<std::uint8_t>(3 * pixels)};
-    if (spec().background == SceneBackground::transparent) picture.alpha.resize(pixels);
+    picture.width = width_;
+    picture.height = height_;
+    picture.rgb.resize(3 * pixels);
+    picture.alpha.resize(spec().background == SceneBackground::transparent ? pixels : 0);
     for (const Tile& tile : tiles_) {
       draw_tile(tile, layers);
       canvas_.read_into(picture);
     }
-    return picture;
   }
 
  private:
@@ -191,6 +189,11 @@ class SceneRenderer::Drawing {
     return strands;
   }
 
+  bool is_side_by_side() const {
+    return std::any_of(input_.others.begin(), input_.others.end(),
+                       [](const SceneRun& run) { return !run.offset.isZero(); });
+  }
+
   // All that is to be seen.
   std::vector<Vec3> places() const {
     std::vector<Vec3> all;
@@ -218,7 +221,7 @@ class SceneRenderer::Drawing {
   Color trail_color(std::size_t k) const { return strands_.size() == 1 ? theme_.trail : color_of(k); }
 
   void make_labels() {
-    texts_.title = input_.title;
+    texts_.title = literal(input_.title);
     texts_.ink = theme_.ink;
     texts_.quiet_ink = theme_.quiet_ink;
     const bool colored = spec().color_by != ColorField::none;
@@ -560,8 +563,14 @@ Image SceneRenderer::frame(int k) {
   return at(frame_time(k));
 }
 
+void SceneRenderer::frame(int k, Image& picture) {
+  drawing_->draw(frame_time(k), picture);
+}
+
 Image SceneRenderer::at(double time) {
-  return drawing_->draw(std::clamp(time, 0.0, drawing_->motion().end()));
+  Image picture;
+  drawing_->draw(std::clamp(time, 0.0, drawing_->motion().end()), picture);
+  return picture;
 }
 
 Point SceneRenderer::pixel(const Vec3& place, double time) const {

@@ -74,6 +74,8 @@ class SceneRenderer {
   double frame_time(int k) const;
   /// Throws OutputError when drawing fails.
   Image frame(int k);
+  /// The same into a picture that was drawn before, whose memory is used again.
+  void frame(int k, Image& picture);
   /// The picture at a time, s, kept inside the outputs'. Throws OutputError when drawing fails.
   Image at(double time);
 

@@ -31,7 +31,7 @@ double main_direction(const std::vector<Eigen::Vector2d>& spread) {
 
 }  // namespace
 
-Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity) {
+Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity, bool face_on) {
   Stage stage;
   stage.up = gravity.stableNorm() > 0 ? Vec3(-gravity.stableNormalized()) : Vec3(Vec3::UnitY());
   const Vec3 reference = std::abs(stage.up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
@@ -64,7 +64,7 @@ Stage make_stage(std::vector<Vec3> places, double length, double radius, const V
   for (const Vec3& place : places)
     stage.radius = std::max(stage.radius, (place - middle).norm() + 4 * radius);
 
-  const double angle = main_direction(spread) + turn;
+  const double angle = main_direction(spread) + (face_on ? 0 : turn);
   // Of the two sides from which the motion spreads across the view, the one towards `forward`.
   Vec3 side = std::sin(angle) * -stage.across + std::cos(angle) * stage.forward;
   if (side.dot(stage.forward) < 0) side = -side;

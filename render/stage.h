@@ -31,7 +31,9 @@ struct Stage {
 
 /// The stage for a motion that covers `places` (one or more, the first being the first end at the start) of a
 /// cable of a length, drawn with a radius (m): the ground is below the lowest place at right angles to
-/// gravity (to Y without gravity).
-Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity);
+/// gravity (to Y without gravity). `face_on`: the best side is that from which what is side by side looks
+/// equally large.
+Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity,
+                 bool face_on = false);
 
 }  // namespace plumb

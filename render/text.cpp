@@ -11,6 +11,7 @@
 #include FT_OUTLINE_H
 
 #include "engine/errors.h"
+#include "render/markup.h"
 #include "render/utf8.h"
 
 namespace plumb {
@@ -20,31 +21,6 @@ namespace {
 constexpr double script_scale = 0.68;
 constexpr double superscript_rise = 0.36;  // of the em height
 constexpr double subscript_rise = -0.16;
-
-enum class Script { none, above, below };
-
-// A stretch of text of one size on one base line.
-struct Run {
-  std::u32string points;
-  Script script = Script::none;
-};
-
-std::vector<Run> split(std::string_view text) {
-  std::vector<Run> runs;
-  while (!text.empty()) {
-    const std::size_t open = std::min(text.find("^{"), text.find("_{"));
-    const std::size_t close = open == text.npos ? text.npos : text.find('}', open);
-    if (close == text.npos) {
-      runs.push_back({decode_utf8(text), Script::none});
-      break;
-    }
-    if (open > 0) runs.push_back({decode_utf8(text.substr(0, open)), Script::none});
-    runs.push_back({decode_utf8(text.substr(open + 2, close - open - 2)),
-                    text[open] == '^' ? Script::above : Script::below});
-    text.remove_prefix(close + 1);
-  }
-  return runs;
-}
 
 void open_face(FT_Library library, const char* path, FT_Face& face) {
   if (FT_New_Face(library, path, 0, &face) != 0)
@@ -83,14 +59,14 @@ class Font::Faces {
   double place(std::string_view text, TextStyle style, std::vector<Placed>& placed) const {
     const FT_Face f = face(style.weight);
     double pen = 0;
-    for (const Run& run : split(text)) {
+    for (const TextRun& run : read_markup(text)) {
       const double size = run.script == Script::none ? style.size : style.size * script_scale;
       const double rise = run.script == Script::none    ? 0
                           : run.script == Script::above ? style.size * superscript_rise
                                                         : style.size * subscript_rise;
       const double scale = size / f->units_per_EM;
       FT_UInt previous = 0;
-      for (const char32_t point : run.points) {
+      for (const char32_t point : decode_utf8(run.text)) {
         const FT_UInt glyph = FT_Get_Char_Index(f, point);
         FT_Vector kerning{0, 0};
         if (previous != 0) FT_Get_Kerning(f, previous, glyph, FT_KERNING_UNSCALED, &kerning);

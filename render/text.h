@@ -30,10 +30,10 @@ struct TextBitmap {
   std::vector<std::uint8_t> coverage;
 };
 
-/// DejaVu Sans, regular and bold. Texts are UTF-8 in one line; bytes that are not become U+FFFD. `^{…}` sets
-/// what it encloses as a superscript, `_{…}` as a subscript: "×10^{−5}", "ω_{max}". Glyphs are not hinted and
-/// stand at fractions of a pixel, so that a text's shape does not depend on where it stands or how large it
-/// is.
+/// DejaVu Sans, regular and bold. Texts are UTF-8 in one line; bytes that are not become U+FFFD.
+/// Superscripts and subscripts are written as markup.h has it: "×10^{-5}", "ω_{max}". Glyphs are not hinted
+/// and stand at fractions of a pixel, so that a text's shape does not depend on where it stands or how large
+/// it is.
 class Font {
  public:
   /// Throws OutputError that names a font file which is missing or cannot be read.

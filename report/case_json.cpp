@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/model/support_constraints.h"
+#include "report/given_json.h"
 
 namespace plumb {
 namespace {
@@ -19,7 +20,7 @@ Json solve_json(const Run& run) {
   const Trajectory& t = run.trajectory;
   Json json{{"outcome", word(t.outcome)},
             {"message", t.message},
-            {"method", run.loaded.spec.method.name},
+            {"method", reports_given_run(run.loaded.spec) ? "given" : run.loaded.spec.method.name},
             {"elements", t.elements},
             {"end_time", t.end_time},
             {"outputs", t.times.size()},
@@ -77,7 +78,8 @@ Json case_json(const LoadedCase& loaded) {
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
   json["loads"] = {{"gravity", vector_json(spec.loads.gravity)},
                    {"end_force", vector_json(spec.loads.end_force)}};
-  json["method"] = method_json(spec.method);
+  if (!reports_given_run(spec)) json["method"] = method_json(spec.method);
+  if (!loaded.given_runs.empty()) json["given_runs"] = given_runs_json(loaded);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
   json["text"] = loaded.source.file.text;
   return json;

@@ -1,8 +1,12 @@
 #include "report/document.h"
 
 #include "engine/integrate/method_info.h"
+#include "engine/study/budget_json.h"
+#include "engine/study/uncertainty_json.h"
 #include "report/case_json.h"
 #include "report/economy_section.h"
+#include "report/given_json.h"
+#include "report/panels_json.h"
 #include "report/study_json.h"
 
 namespace plumb {
@@ -13,7 +17,9 @@ using Json = Document;
 Json error_json(const SeriesError& error, const Run& run) {
   const ReferenceUse& use = run.loaded.spec.references[error.reference];
   const ReferenceSeries& series = *run.loaded.references[error.reference].find(error.series);
+  const std::string given = given_name(error, run.loaded.spec);
   return {{"reference", use.name},
+          {"run", given.empty() ? reported_name(run.loaded.spec) : given},
           {"series", error.series},
           {"column", error.column},
           {"description", series.description},
@@ -45,6 +51,8 @@ Json reference_json(const Reference& reference, const ReferenceUse& use) {
 }
 
 Json energy_json(const Trajectory& trajectory) {
+  // Of a given run, which has no states, they are not known.
+  if (trajectory.energies.empty() && !trajectory.times.empty()) return nullptr;
   Json kinetic = Json::array(), axial = Json::array(), bending = Json::array(), potential = Json::array();
   for (const Energies& e : trajectory.energies) {
     kinetic.push_back(e.kinetic);
@@ -66,8 +74,11 @@ Json energy_json(const Trajectory& trajectory) {
 Json picture_json(const std::vector<Picture>& pictures) {
   Json json = Json::array();
   for (const Picture& picture : pictures)
-    json.push_back(
-        {{"file", picture.file}, {"title", picture.title}, {"alt", picture.alt}, {"tall", picture.tall}});
+    json.push_back({{"file", picture.file},
+                    {"title", picture.title},
+                    {"alt", picture.alt},
+                    {"tall", picture.tall},
+                    {"panels", panels_json(picture.plot, picture.times)}});
   return json;
 }
 
@@ -77,7 +88,8 @@ Json animation_json(const Pictures& pictures) {
           {"frame_rate", pictures.frame_rate},
           {"player_frame_rate", pictures.player_frame_rate},
           {"width", pictures.page_animation_width},
-          {"height", pictures.page_animation_height}};
+          {"height", pictures.page_animation_height},
+          {"notes", pictures.animation_notes}};
 }
 
 }  // namespace
@@ -88,6 +100,9 @@ Document document_of(const Results& results, const Pictures& pictures) {
   json["schema_version"] = results_version;
   json["title"] = run.loaded.spec.title;
   json["headline"] = headline(results);
+  json["reported"] = reported_name(run.loaded.spec);
+  if (reports_given_run(run.loaded.spec))
+    json["computed_by"] = computed_by(run.loaded.spec.given_runs.front());
   json["outcome"] = word(results.outcome);
   json["outcome_reason"] = outcome_reason(results);
   json["complete"] = results.solved();
@@ -104,6 +119,7 @@ Document document_of(const Results& results, const Pictures& pictures) {
   json["probes"]["t"] = {{"unit", "s"}, {"values", run.probes.times}};
   for (const Column& column : run.probes.columns)
     json["probes"][column.name] = {{"unit", column.unit}, {"values", column.values}};
+  if (!run.loaded.given_runs.empty()) json["given_runs"] = given_runs_json(results);
   json["figures"] = picture_json(pictures.figures);
   json["animation"] = animation_json(pictures);
   json["renderer"] = pictures.renderer;
@@ -112,12 +128,19 @@ Document document_of(const Results& results, const Pictures& pictures) {
     json["study_figures"] = picture_json(pictures.study);
   }
   if (results.economy) json["economy"] = economy_document(*results.economy, run.loaded.spec.scene);
+  if (results.assessment && results.assessment->uncertainty)
+    json["uncertainty"] = uncertainty_json(*results.assessment->uncertainty);
+  if (results.assessment && results.assessment->error_budget) {
+    json["error_budget"] = budget_json(*results.assessment->error_budget);
+    json["error_budget_figures"] = picture_json(pictures.budget);
+  }
   json["case"] = case_json(run.loaded);
   json["seconds"] = Json::object();
   for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
   json["provenance"] = Json::object();
   for (const auto& [name, value] : run.provenance) json["provenance"][name] = value;
-  return json;
+  // As the file will say it, so that a page from the file is the same: what is not finite becomes null.
+  return Json::parse(to_json(json));
 }
 
 std::string to_json(const Document& document) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,9 @@ struct JunitSuite {
 
 /// A suite for each kind of verdict that there is.
 std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts);
+
+/// The suites of a run: one for the integration before those of its verdicts.
+std::vector<JunitSuite> suites_of(const nlohmann::ordered_json& document);
 
 /// The text of junit.xml; `name` is that of the whole.
 std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& suites);

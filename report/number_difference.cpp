@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "engine/input/csv.h"
 
@@ -28,15 +29,17 @@ std::string kind_of(const CsvLine& line) {
   return kind;
 }
 
-using Scales = std::map<std::pair<std::string, std::size_t>, double>;
+/// The largest number of each column, by kind of row.
+using Scales = std::map<std::string, std::vector<double>>;
 
 void add_scales(const std::vector<CsvLine>& lines, Scales& scales) {
-  for (const CsvLine& line : lines)
+  for (const CsvLine& line : lines) {
+    std::vector<double>& of_kind = scales[kind_of(line)];
+    of_kind.resize(std::max(of_kind.size(), line.cells.size()), 0);
     for (std::size_t c = 0; c < line.cells.size(); ++c)
-      if (const auto value = number(line.cells[c].text); value && std::isfinite(*value)) {
-        double& scale = scales[{kind_of(line), c}];
-        scale = std::max(scale, std::abs(*value));
-      }
+      if (const auto value = number(line.cells[c].text); value && std::isfinite(*value))
+        of_kind[c] = std::max(of_kind[c], std::abs(*value));
+  }
 }
 
 bool alike(double a, double b) {
@@ -73,7 +76,7 @@ NumberDifference number_difference(const std::string& a, const std::string& name
         return result;
       }
       if (alike(*x, *y)) continue;
-      const double scale = scales[{kind_of(first[row]), c}];
+      const double scale = scales[kind_of(first[row])][c];
       const double relative = std::abs(*x - *y) / scale;
       if (relative <= result.greatest) continue;
       result.greatest = std::isfinite(relative) ? relative : HUGE_VAL;

@@ -43,6 +43,7 @@ data error_rows(const Document& document) {
     const std::string unit = text(error, "unit");
     const bool any = error.at("points").get<long>() > 0, length = any && unit == "m";
     data row;
+    row["run"] = error.value("run", "Plumb");
     row["reference"] = text(error, "reference");
     row["column"] = text(error, "column");
     row["series"] = text(error, "description");
@@ -91,6 +92,14 @@ data cost_rows(const Document& document) {
   };
   Pairs rows;
   rows.emplace_back("outcome", text(document, "outcome") + ": " + text(document, "outcome_reason"));
+  if (document.contains("computed_by")) {
+    rows.emplace_back("computed by", text(document, "computed_by"));
+    rows.emplace_back("outputs", count("outputs"));
+    rows.emplace_back("last output", number(solve.at("end_time")) + " s");
+    rows.emplace_back("energy, steps, evaluations and time",
+                      "not known: computed by " + text(document, "reported"));
+    return pair_rows(rows);
+  }
   rows.emplace_back("method", text(solve, "method"));
   rows.emplace_back("elements", count("elements"));
   rows.emplace_back("time reached", number(solve.at("end_time")) + " s");
@@ -127,18 +136,23 @@ data case_rows(const Document& document) {
   rows.emplace_back("bending stiffness EI",
                     product(value("youngs_modulus"), value("second_moment")) + " N m²");
   rows.emplace_back("mass per length ρA", product(value("density"), value("area")) + " kg/m");
-  rows.emplace_back("model", text(cable, "model"));
-  rows.emplace_back("strain model", text(cable, "strain"));
-  if (text(cable, "model") == word(CableModel::cable))
-    rows.emplace_back("quadrature", text(cable, "quadrature"));
+  // How another program models the cable is not for Plumb to say.
+  const bool solved_here = the_case.contains("method");
+  if (solved_here) {
+    rows.emplace_back("model", text(cable, "model"));
+    rows.emplace_back("strain model", text(cable, "strain"));
+    if (text(cable, "model") == word(CableModel::cable))
+      rows.emplace_back("quadrature", text(cable, "quadrature"));
+  }
   rows.emplace_back("direction at the start", vector_text(start.at("direction")));
   rows.emplace_back("angular velocity at the start", vector_text(start.at("angular_velocity")) + " rad/s");
-  rows.emplace_back("slope rates at the start", text(start, "slope_rates"));
+  if (solved_here) rows.emplace_back("slope rates at the start", text(start, "slope_rates"));
   rows.emplace_back("axial speed of the last end at the start", exact(start.at("axial_speed")) + " m/s");
   rows.emplace_back("supports",
                     text(the_case.at("supports"), "first") + " – " + text(the_case.at("supports"), "last"));
   rows.emplace_back("gravity", vector_text(loads.at("gravity")) + " m/s²");
   rows.emplace_back("force on the last end", vector_text(loads.at("end_force")) + " N");
+  if (!solved_here) return pair_rows(rows);
   std::string method;
   for (const auto& [name, setting] : the_case.at("method").items())
     method += name == "name"

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <future>
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
@@ -14,12 +16,13 @@
 #include "render/png.h"
 #include "render/scene.h"
 #include "report/figure_csv.h"
+#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {
 
 /// The scene as the page shows it: at most this wide and this often, so that one file holds the whole report.
-constexpr int page_width = 640;
+constexpr int page_width = 512;
 constexpr double page_frame_rate = 12.5;
 
 SceneSpec page_scene(SceneSpec spec) {
@@ -46,32 +49,59 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
   return {{"Software", "Plumb"}, {"Title", title}, {renderer_keyword, context.info().fingerprint()}};
 }
 
-std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
-                                  const PngTexts& texts, OutputFolder& folder) {
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                   const PngTexts& texts) {
+  // Each is encoded beside the drawing of the next.
+  constexpr std::size_t waiting = 2;
   std::vector<Picture> pictures;
+  std::deque<std::future<std::string>> encoding;
+  const auto take_first = [&] {
+    const Figure& figure = figures[pictures.size()];
+    pictures.push_back({fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
+                        figure.plot.height > figure.plot.width, encoding.front().get(), figure.plot,
+                        figure.times});
+    encoding.pop_front();
+  };
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    Picture picture{fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                    figure.plot.height > figure.plot.width, encode_png(plots.draw(figure.plot), texts)};
-    write_file(folder.file(picture.file), picture.png);
-    write_file(folder.file(fmt::format("figures/{}.csv", figure.name)), to_csv(figure.plot));
-    pictures.push_back(std::move(picture));
+    encoding.push_back(std::async(
+        std::launch::async, [image = plots.draw(figure.plot), &texts] { return encode_png(image, texts); }));
+    if (encoding.size() > waiting) take_first();
+  }
+  while (!encoding.empty()) take_first();
+  return pictures;
+}
+
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                  const PngTexts& texts, OutputFolder& folder) {
+  std::vector<Picture> pictures = drawn_figures(figures, context, texts);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    write_file(folder.file(pictures[i].file), pictures[i].png);
+    write_file(folder.file(fmt::format("figures/{}.csv", figures[i].name)), to_csv(figures[i].plot));
   }
   return pictures;
 }
 
-Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
-              OutputFolder& folder, Stages& stages, const DrawingProgress& progress) {
+Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesError>& errors,
+              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress) {
   Pictures result;
   stages.begin("figures");
   const GlContext context;
   const PngTexts texts = picture_texts(context, run.loaded.source.file.name);
   result.figures = draw_figures(figures(run, errors), context, texts, folder);
 
+  result.renderer = context.info().fingerprint();
+  result.animation_notes = shown.notes();
+  if (shown.motion() == nullptr) {
+    stages.end();
+    return result;
+  }
+
   stages.begin("frames");
-  SceneInput input = scene_input(run.loaded.spec);
-  SceneRenderer scene(context, run.trajectory, input);
+  SceneInput input = shown.input();
+  SceneRenderer scene(context, *shown.motion(), input);
   std::vector<std::string> frames;
   const FrameRange asked = range_within(scene, range);
   stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
@@ -87,7 +117,7 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std:
   write_file(folder.file("animation.png"), join_apng(frames, input.spec.frame_rate));
   frames.clear();
   input.spec = page_scene(input.spec);
-  SceneRenderer small(context, run.trajectory, input);
+  SceneRenderer small(context, *shown.motion(), input);
   stream_frames(small, range_within(small, {}), texts, PngEffort::small,
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_animation = join_apng(frames, input.spec.frame_rate);
@@ -96,7 +126,6 @@ Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std:
   result.player_frame_rate = input.spec.frame_rate;
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];
-  result.renderer = context.info().fingerprint();
   stages.end();
   return result;
 }

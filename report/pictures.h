@@ -10,6 +10,7 @@
 #include "render/gl_context.h"
 #include "render/png.h"
 #include "report/figures.h"
+#include "report/scene_of_run.h"
 #include "report/stages.h"
 
 namespace plumb {
@@ -21,12 +22,15 @@ struct Picture {
   std::string alt;
   bool tall = false;  ///< higher than wide
   std::string png;
+  Plot plot = {};                      ///< what was drawn; of a picture read from a file, nothing
+  std::vector<PanelTimes> times = {};  ///< as in Figure
 };
 
 /// What was drawn of a run, as the page needs it.
 struct Pictures {
   std::vector<Picture> figures;
-  std::vector<Picture> study;  ///< figures of a study of the same case, if there is one
+  std::vector<Picture> study;   ///< figures of a study of the same case, if there is one
+  std::vector<Picture> budget;  ///< figures of its error budget, if there is one
   int first_frame = 0;
   int frames = 0;
   double frame_rate = 0;          ///< 1/s
@@ -36,10 +40,18 @@ struct Pictures {
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
   std::string renderer;           ///< GlInfo::fingerprint() of what drew them
+  /// What given runs are drawn through, or why there is no animation; a sentence each.
+  std::vector<std::string> animation_notes = {};
+
+  bool animated() const { return frames > 0; }
 };
 
 /// What every picture file says of itself: program, title, and what drew it.
 PngTexts picture_texts(const GlContext& context, const std::string& title);
+
+/// Draws figures. Throws OutputError when drawing fails, Interrupted when the user stops it.
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                   const PngTexts& texts);
 
 /// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
 /// when drawing or writing fails, Interrupted when the user stops it.
@@ -57,9 +69,10 @@ FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRan
 inline constexpr const char* player_file = "player.png";
 
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
-/// animation.png and player.png. Throws OutputError when drawing or writing fails, Interrupted when the user
-/// stops it.
-Pictures draw(const Run& run, const std::vector<SeriesError>& errors, const std::optional<FrameRange>& range,
-              OutputFolder& folder, Stages& stages, const DrawingProgress& progress = {});
+/// animation.png and player.png; of a given run that does not tell enough, figures alone. `scene` is what the
+/// frames show. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+Pictures draw(const Run& run, const SceneOfRun& scene, const std::vector<SeriesError>& errors,
+              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress = {});
 
 }  // namespace plumb

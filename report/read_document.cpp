@@ -90,6 +90,8 @@ Pictures pictures_of(const Document& document, const std::string& folder) {
   Pictures pictures;
   pictures.figures = read_pictures(document.at("figures"), path);
   if (document.contains("study_figures")) pictures.study = read_pictures(document.at("study_figures"), path);
+  if (document.contains("error_budget_figures"))
+    pictures.budget = read_pictures(document.at("error_budget_figures"), path);
   const Document& animation = document.at("animation");
   pictures.frames = animation.at("frames").get<int>();
   pictures.first_frame = animation.at("first_frame").get<int>();
@@ -97,10 +99,13 @@ Pictures pictures_of(const Document& document, const std::string& folder) {
   pictures.player_frame_rate = animation.at("player_frame_rate").get<double>();
   pictures.page_animation_width = animation.at("width").get<int>();
   pictures.page_animation_height = animation.at("height").get<int>();
+  pictures.renderer = document.at("renderer").get<std::string>();
+  if (animation.contains("notes"))
+    pictures.animation_notes = animation.at("notes").get<std::vector<std::string>>();
+  if (!pictures.animated()) return pictures;
   const std::string player = (path / player_file).string();
   pictures.page_animation = read_whole_file(player);
   pictures.page_still = split_apng(pictures.page_animation, player).back();
-  pictures.renderer = document.at("renderer").get<std::string>();
   return pictures;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "report/economy_text.h"
+#include "report/verdict_uncertainty.h"
 
 namespace plumb {
 
@@ -34,10 +35,50 @@ long count_of(const std::vector<Verdict>& verdicts, VerdictStatus status) {
                        [&](const Verdict& verdict) { return verdict.status == status; });
 }
 
+/// Those of the run that is reported.
+std::vector<Verdict> own_verdicts(const Results& results) {
+  const auto own = std::count_if(results.errors.begin(), results.errors.end(),
+                                 [](const SeriesError& error) { return !error.given_run; });
+  return {results.verdicts.begin(), results.verdicts.begin() + own};
+}
+
 Outcome judged_outcome(const Run& run, const std::vector<Verdict>& verdicts) {
   if (run.trajectory.outcome != Outcome::completed) return run.trajectory.outcome;
   if (count_of(verdicts, VerdictStatus::failed) > 0) return Outcome::inaccurate;
   return !verdicts.empty() && all_passed(verdicts) ? Outcome::accurate : Outcome::completed;
+}
+
+/// "the run with 4 elements", "the given run chrono".
+std::string run_in_words(const Case& spec) {
+  return reports_given_run(spec) ? "the given run " + spec.given_runs.front().name
+                                 : "the run with " + counted(spec.cable.elements, "element", "elements");
+}
+
+/// What became of the given runs beside the one that is reported, a sentence each.
+std::string given_in_words(const Results& results) {
+  const Case& spec = results.run.loaded.spec;
+  std::string text;
+  for (std::size_t k = reports_given_run(spec) ? 1 : 0; k < spec.given_runs.size(); ++k) {
+    const std::string& name = spec.given_runs[k].name;
+    long all = 0, met = 0;
+    for (const Verdict& verdict : results.verdicts) {
+      if (!verdict.name.starts_with(name + ": ")) continue;
+      ++all;
+      met += verdict.status == VerdictStatus::passed ? 1 : 0;
+    }
+    const GivenDistance* worst = nullptr;
+    for (const GivenDistance& distance : results.distances)
+      if (distance.given_run == k && distance.unit == "m" && !distance.times.empty() &&
+          (!worst || !(distance.max <= worst->max)))
+        worst = &distance;
+    text += fmt::format(
+        " {}: {}", name,
+        all == 0 ? "no criterion" : fmt::format("{} of {} met", met, counted(all, "criterion", "criteria")));
+    if (worst)
+      text += fmt::format(", at most {:.3g} m from {} ({})", worst->max, reported_name(spec), worst->column);
+    text += ".";
+  }
+  return text;
 }
 
 /// The outcome as the first sentence of a headline.
@@ -49,16 +90,24 @@ std::string outcome_in_words(const Results& results) {
 
 }  // namespace
 
-Results evaluate(const Run& run, const Stages& stages, const Study* study, const Economy* economy) {
-  Results results{run, series_errors(run), {}, stages, study, economy};
+Results evaluate(const Run& run, const Stages& stages, const Study* study, const Assessment* assessment,
+                 const Economy* economy) {
+  Results results{run, series_errors(run), {}, stages, study};
   results.verdicts = verdicts(run, results.errors);
+  results.assessment = assessment;
+  results.economy = economy;
+  if (assessment && assessment->uncertainty)
+    add_uncertainty(results.verdicts, results.errors, run.loaded.spec, *assessment->uncertainty);
+  results.outcome = judged_outcome(run, own_verdicts(results));
+  results.distances = given_distances(run);
+  for (Verdict& verdict : distance_verdicts(run, results.distances))
+    results.verdicts.push_back(std::move(verdict));
   if (economy) results.verdicts.push_back(economy_verdict(*economy));
-  results.outcome = judged_outcome(run, results.verdicts);
   return results;
 }
 
 std::string outcome_reason(const Results& results) {
-  const std::vector<Verdict>& all = results.verdicts;
+  const std::vector<Verdict> all = own_verdicts(results);
   switch (results.outcome) {
     case Outcome::accurate:
       return "every criterion is met";
@@ -84,8 +133,9 @@ std::string headline(const Results& results) {
   if (!results.solved())
     return fmt::format("The integration did not finish ({}): {}.", word(trajectory.outcome),
                        trajectory.message);
-  const auto all = std::ssize(results.verdicts), failed = count_of(results.verdicts, VerdictStatus::failed),
-             not_run = count_of(results.verdicts, VerdictStatus::not_run);
+  const std::vector<Verdict> own = own_verdicts(results);
+  const auto all = std::ssize(own), failed = count_of(own, VerdictStatus::failed),
+             not_run = count_of(own, VerdictStatus::not_run);
   std::string text = outcome_in_words(results) + " ";
   if (all == 0)
     text += "The case names no criterion, so nothing is claimed";
@@ -101,7 +151,7 @@ std::string headline(const Results& results) {
   std::string distances;
   for (std::size_t r = 0; r < run.loaded.references.size(); ++r) {
     const SeriesError* worst = nullptr;
-    for (std::size_t k = 0; k < results.errors.size(); ++k) {
+    for (std::size_t k = 0; k < own.size(); ++k) {
       const SeriesError& error = results.errors[k];
       if (error.reference != r || results.verdicts[k].status == VerdictStatus::not_run) continue;
       if (!worst || !(error.max <= worst->max)) worst = &error;
@@ -112,10 +162,8 @@ std::string headline(const Results& results) {
         worst->unit, run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed",
         worst->times.size(), run.loaded.references[r].times.size());
   }
-  if (!distances.empty())
-    text += fmt::format(": the run with {} is at most{}",
-                        counted(run.loaded.spec.cable.elements, "element", "elements"), distances);
-  return text + ".";
+  if (!distances.empty()) text += fmt::format(": {} is at most{}", run_in_words(run.loaded.spec), distances);
+  return text + "." + given_in_words(results);
 }
 
 }  // namespace plumb

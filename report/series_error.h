@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,21 +11,35 @@ namespace plumb {
 /// How far one column of a run is from one series of a reference. Distances are in `unit`, run minus
 /// reference.
 struct SeriesError {
-  std::size_t reference = 0;  ///< which [[reference]] of the case
-  std::string series;         ///< "mid_y"
-  std::string column;         ///< "mid.y"
+  std::optional<std::size_t> given_run;  ///< which [[run]] of the case; nothing: the run that is reported
+  std::size_t reference = 0;             ///< which [[reference]] of the case
+  std::string series;                    ///< "mid_y"
+  std::string column;                    ///< "mid.y"
   std::string unit;
-  std::vector<double> times;       ///< s, the reference times that the run reached
+  std::vector<double> times;       ///< s, the reference times that the run has, or reached
   std::vector<double> expected;    ///< of the reference, at those times
   std::vector<double> difference;  ///< run − reference, at those times
-  std::size_t missed = 0;          ///< reference times within the case's end that the run did not reach
+  std::size_t missed = 0;          ///< reference times within the case's end that the run does not have
   std::size_t interpolated = 0;    ///< of `times`, those between two outputs of the run
   double max = 0;                  ///< greatest |difference|
   double max_time = 0;             ///< s, where it is
   double rms = 0;
 };
 
-/// The errors of every comparison of the case, in its order.
+/// The errors of every comparison of the case, in its order: those of the run that is reported, and then
+/// those of each given run beside it.
 std::vector<SeriesError> series_errors(const Run& run);
+
+/// "" for the run that is reported, else the name of the given one.
+std::string given_name(const SeriesError& error, const Case& spec);
+
+/// Greatest |difference|, when it is, and the root of the mean of squares. A difference that is not a number
+/// makes them not a number, so that nothing passes.
+struct DifferenceNorms {
+  double max = 0;
+  double max_time = 0;
+  double rms = 0;
+};
+DifferenceNorms norms_of(const std::vector<double>& times, const std::vector<double>& difference);
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 
 #include "engine/study/pareto.h"
 #include "report/curve_style.h"
+#include "report/number_markup.h"
 #include "report/results.h"
 #include "report/study_lines.h"
 
@@ -16,15 +17,6 @@ namespace {
 
 constexpr Color front_color = Color::hex(0xF0D98C);
 constexpr Color trouble_color = Color::hex(0x555555);
-
-/// "3.1·10^{−12}": a number for a picture.
-std::string in_picture(double value) {
-  if (!(value > 0) || !std::isfinite(value)) return fmt::format("{:.2g}", value);
-  const int power = static_cast<int>(std::floor(std::log10(value)));
-  if (power >= -2 && power < 4) return fmt::format("{:.2g}", value);
-  return fmt::format("{:.1f}·10^{{{}{}}}", value / std::pow(10.0, power), power < 0 ? "−" : "",
-                     std::abs(power));
-}
 
 struct Span {
   double lo = std::numeric_limits<double>::infinity();
@@ -131,7 +123,7 @@ class WorkFigure {
         reference && reference->floor > 0) {
       Rule floor;
       floor.to = reference->floor;
-      floor.label = fmt::format("{} m: {}", in_picture(reference->floor),
+      floor.label = fmt::format("{} m: {}", number_markup(reference->floor),
                                 reference->certified ? "floor of the reference, below every error here"
                                                      : "floor of the reference, not certified below");
       panel.rules.push_back(floor);
@@ -300,7 +292,7 @@ Figure order_figure(const WorkPrecision& study) {
       reference && reference->floor > 0) {
     Rule floor;
     floor.to = reference->floor;
-    floor.label = fmt::format("{} m: floor of the reference", in_picture(reference->floor));
+    floor.label = fmt::format("{} m: floor of the reference", number_markup(reference->floor));
     panel.rules.push_back(floor);
   }
   Figure figure;

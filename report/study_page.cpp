@@ -310,9 +310,8 @@ std::string study_section(const WorkPrecision& study, const std::vector<Picture>
 }
 
 std::string study_scripts(const WorkPrecision& study) {
-  return fmt::format("<script type=\"application/json\" id=\"study-data\">{}</script>\n",
-                     escape_json_for_html(study_chart_data(study))) +
-         script_element(chart_min_js) + script_element(study_js);
+  return data_element("study-data", study_chart_data(study)) + script_element(chart_min_js) +
+         script_element(study_js);
 }
 
 std::string study_script_policy() {

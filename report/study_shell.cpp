@@ -5,6 +5,7 @@
 #include "report/base64.h"
 #include "report/page_template.h"
 #include "report/pictures.h"
+#include "report/study_chart_data.h"
 #include "report/verdict_html.h"
 
 namespace plumb {
@@ -59,6 +60,11 @@ std::string script_policy(const std::vector<std::string_view>& hashes) {
 
 std::string script_element(std::string_view text) {
   return fmt::format("<script>{}</script>\n", text);
+}
+
+std::string data_element(const std::string& id, const std::string& json) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id,
+                     escape_json_for_html(json));
 }
 
 const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name) {

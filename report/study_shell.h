@@ -38,6 +38,9 @@ std::string script_policy(const std::vector<std::string_view>& hashes);
 /// A script element.
 std::string script_element(std::string_view text);
 
+/// JSON for scripts, which find it by its id.
+std::string data_element(const std::string& id, const std::string& json);
+
 /// The picture of that name among those drawn, or nullptr.
 const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name);
 

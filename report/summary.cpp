@@ -2,6 +2,7 @@
 
 #include "report/document.h"
 #include "report/escape.h"
+#include "report/given_json.h"
 #include "report/results.h"
 
 namespace plumb {
@@ -38,6 +39,13 @@ std::string to_summary(const Document& document) {
   std::string text = fmt::format("# {}\n\n{}\n\nOutcome: **{}**, {}.\n\n", text_of("title"),
                                  text_of("headline"), text_of("outcome"), text_of("outcome_reason"));
   text += verdict_table(verdicts_of(document));
+  for (const std::string& distance : distances_in_words(document))
+    if (text.size() < size_limit) text += fmt::format("\n{}.\n", escape_markdown(distance));
+  if (document.contains("computed_by"))
+    return text + fmt::format("\nGiven by {}, {} to {:.4g} s; its energy and cost are not known.\n",
+                              text_of("computed_by"),
+                              counted(solve.at("outputs").get<long>(), "output", "outputs"),
+                              solve.at("end_time").get<double>());
   text += fmt::format(
       "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",
       escape_markdown(solve.at("method").get<std::string>()),

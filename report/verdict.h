@@ -22,7 +22,7 @@ enum class VerdictStatus { not_run, passed, failed };
 struct Verdict {
   VerdictKind kind = VerdictKind::verification;
   VerdictStatus status = VerdictStatus::not_run;
-  std::string name;       ///< unique in a report: "published: mid.y"
+  std::string name;       ///< unique in a report: "published: mid.y", "chrono: published: mid.y"
   std::string criterion;  ///< "max |Plumb − published| of mid.y ≤ 1e-05 m"
   double value = -1;      ///< what was found, in `unit`; -1: not run
   double limit = 0;       ///< what is allowed, in `unit`
@@ -36,7 +36,8 @@ std::string_view word(VerdictKind);
 std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed"
 
 /// A verdict for each comparison of the case: validation against published figures, verification against
-/// computed ones. Not run where the run did not complete or did not reach every reference time.
+/// computed ones, of the run that is reported and of each given one. Not run where the run did not complete
+/// or does not have every reference time.
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors);
 
 /// True for a distance that is a finite number of at least 0 and no greater than its limit.

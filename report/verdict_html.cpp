@@ -38,8 +38,9 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
     row["kind"] = std::string(word(verdict->kind));
     row["name"] = verdict->name;
     row["criterion"] = verdict->criterion;
-    row["found"] =
-        verdict->status == VerdictStatus::not_run ? "not run" : number(verdict->value) + " " + verdict->unit;
+    row["found"] = verdict->status == VerdictStatus::not_run
+                       ? "not run"
+                       : number(verdict->value) + (verdict->unit == "1" ? "" : " " + verdict->unit);
     // Where nothing at all is allowed, there is no share of it.
     row["share"] = verdict->status == VerdictStatus::not_run || !(verdict->limit > 0)
                        ? "–"

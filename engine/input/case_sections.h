@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/input/case.h"
 #include "engine/input/case_source.h"
+#include "engine/input/changed_case.h"
 #include "engine/input/file_text.h"
 #include "engine/input/table_reader.h"
 
@@ -13,11 +15,13 @@
 // checked with what it is given. All throw InputError.
 namespace plumb {
 
-CableSpec read_cable(TableReader table);
+/// Without `elements` where the run that is reported is a given one, which has no mesh: 0 then.
+CableSpec read_cable(TableReader table, bool has_mesh = true);
 StartSpec read_start(TableReader table);
 SupportsSpec read_supports(TableReader table, CableModel model);
 LoadsSpec read_loads(TableReader table);
-TimeSpec read_time(TableReader table);
+/// `end` (s) is where the time ends unless the table says so.
+TimeSpec read_time(TableReader table, std::optional<double> end = {});
 
 /// [method]: the method's keys and no other, with defaults filled in.
 MethodSpec read_method(TableReader table, const TimeSpec& time);
@@ -39,6 +43,22 @@ using ReferenceText = std::function<FileText(const std::string& file)>;
 ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
                                const ReferenceText& text_of, const std::vector<ProbeSpec>& probes,
                                const TimeSpec& time);
+
+/// What [[run]] says and the runs it names, in the same order.
+struct GivenRunsRead {
+  std::vector<GivenRunSpec> specs;
+  std::vector<GivenRun> runs;
+  std::vector<NamedText> texts;  ///< one a file
+  std::vector<std::string> remarks;
+};
+
+GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::string& case_name,
+                              const ReferenceText& text_of, const std::vector<ProbeSpec>& probes);
+
+/// Refuses a given run that lacks a column which a comparison or a figure of the case needs, unless its table
+/// says that there is none.
+void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
+                      const std::vector<GivenRun>& runs);
 
 std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std::vector<ProbeSpec>& probes,
                                      const std::vector<ReferenceUse>& references);
@@ -62,10 +82,15 @@ SweepSpec default_sweep(const CableSpec& cable);
 EconomySpec read_economy(TableReader table, const SceneSpec& scene);
 EconomySpec default_economy(const SceneSpec& scene);
 
-/// Reads the case again with further overrides.
-using CaseWithOverrides = std::function<Case(const std::vector<std::string>& overrides)>;
-
 /// [[study.variant]]; the case of each is read by `with`, and refused where it is not valid.
 std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with);
+
+/// [uncertainty], of a case whose other sections have been read.
+UncertaintySpec read_uncertainty(TableReader table, const Case& spec);
+
+/// [error_budget], of a case whose references have been read; the case of each item, alone and all together,
+/// is read by `with`, and refused where it is not valid.
+BudgetSpec read_error_budget(TableReader table, const std::vector<ReferenceUse>& references,
+                             const CaseWithOverrides& with);
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/input/case.h"
+#include "engine/input/given_run.h"
 #include "engine/input/reference.h"
 
 namespace plumb {
@@ -18,15 +19,17 @@ struct NamedText {
 /// All that a case is made of, so that it can be read again from a run file where its files no longer are.
 struct CaseSource {
   NamedText file;
-  std::vector<std::string> overrides;  ///< "cable.elements=8", as after --set
-  std::vector<NamedText> references;   ///< text of each [[reference]] file, named by its `file` key
+  std::vector<std::string> overrides;      ///< "cable.elements=8", as after --set
+  std::vector<NamedText> references;       ///< text of each [[reference]] file, named by its `file` key
+  std::vector<NamedText> given_runs = {};  ///< bytes of each [[run]] file, named by its `file` key
 };
 
-/// A checked case with the references it names, in the order of `Case::references`.
+/// A checked case with the references and runs that it names, in the orders of `Case`.
 struct LoadedCase {
   CaseSource source;
   Case spec;
   std::vector<Reference> references;
+  std::vector<GivenRun> given_runs;  ///< in the order of `Case::given_runs`
   std::vector<std::string> remarks;  ///< what was left unused and why, for the user to see
 };
 

@@ -6,6 +6,7 @@
 #include "engine/errors.h"
 #include "engine/input/case_sections.h"
 #include "engine/input/case_source.h"
+#include "engine/input/changed_case.h"
 #include "engine/input/method_keys.h"
 #include "engine/input/model_keys.h"
 #include "engine/input/override.h"
@@ -18,11 +19,17 @@ namespace {
 
 constexpr std::size_t longest_title = 500;
 
-/// What is made of [study]: everything, or nothing for a case that is itself a part of a study.
-enum class Studies { read, ignored };
+/// How much of a case is read.
+enum class Extent {
+  everything,
+  without_studies,  ///< of a case that is itself a part of a study
+  motion,           ///< what the motion depends on, and neither what is compared nor what is drawn
+};
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of, Studies studies);
+                     const ReferenceText& text_of, Extent extent);
+LoadedCase read_case(const NamedText& file, const TomlValue& written,
+                     const std::vector<std::string>& overrides, const ReferenceText& text_of, Extent extent);
 
 void read_studies(TableReader study, const NamedText& file, const std::vector<std::string>& overrides,
                   const ReferenceText& text_of, Case& spec) {
@@ -41,13 +48,17 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
   spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
-    return read_case(file, all, text_of, Studies::ignored).spec;
+    return read_case(file, all, text_of, Extent::without_studies).spec;
   });
 }
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of, Studies studies) {
-  const TomlValue written = parse_toml(file);
+                     const ReferenceText& text_of, Extent extent) {
+  return read_case(file, parse_toml(file), overrides, text_of, extent);
+}
+
+LoadedCase read_case(const NamedText& file, const TomlValue& written,
+                     const std::vector<std::string>& overrides, const ReferenceText& text_of, Extent extent) {
   TomlValue merged = written;
   for (const std::string& text : overrides) apply_override(merged, text);
 
@@ -65,50 +76,82 @@ LoadedCase read_case(const NamedText& file, const std::vector<std::string>& over
     root.refuse_value("title", fmt::format("must be at most {} bytes long", longest_title));
   const TableReader cable = root.required_table("cable", "a table [cable]"), start = root.table("start");
   const TableReader supports = root.table("supports"), loads = root.table("loads");
-  const TableReader method = root.required_table("method", "a table [method]"),
-                    time = root.required_table("time", "a table [time]");
+  std::vector<TableReader> runs = root.tables("run");
+  const bool given_only = extent == Extent::everything && !runs.empty() && !root.has("method");
+  const TableReader method = given_only ? root.table("method")
+                                        : root.required_table(
+                                              "method", "a table [method], or a [[run]] that was computed"),
+                    time = given_only ? root.table("time") : root.required_table("time", "a table [time]");
   const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
-  const TableReader study = root.table("study");
+  const TableReader study = root.table("study"), uncertainty = root.table("uncertainty");
+  const TableReader error_budget = root.table("error_budget");
+  const bool has_uncertainty = root.has("uncertainty"), has_error_budget = root.has("error_budget");
   root.finish();
 
   spec.parameters = parameters.values();
-  spec.cable = read_cable(cable);
+  spec.cable = read_cable(cable, !given_only);
   spec.start = read_start(start);
   spec.supports = read_supports(supports, spec.cable.model);
   spec.loads = read_loads(loads);
-  spec.time = read_time(time);
-  spec.method = read_method(method, spec.time);
-  spec.probes = read_probes(probes);
+  if (extent != Extent::motion) spec.probes = read_probes(probes);
+  GivenRunsRead given;
+  if (extent == Extent::everything) given = read_given_runs(runs, file.name, text_of, spec.probes);
+  spec.given_runs = std::move(given.specs);
+  if (given_only) {
+    const double last = given.runs.front().times.back();
+    if (!(last > 0)) runs.front().refuse_value("file", fmt::format("ends at {} s; must end after 0 s", last));
+    spec.time = read_time(time, last);
+  } else {
+    spec.time = read_time(time);
+    spec.method = read_method(method, spec.time);
+  }
   if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
+  // The method of a given run is not known, nor yet the one that is left to the scene.
   if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {
     const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
   }
+  if (extent == Extent::motion) return loaded;
   ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
-  if (studies == Studies::read) read_studies(study, file, overrides, text_of, spec);
+  if (extent == Extent::everything) {
+    check_given_runs(runs, spec, given.runs);
+    if (given_only)
+      for (const char* key : {"study", "uncertainty", "error_budget"})
+        if (root.has(key))
+          root.refuse_value(key, "belongs to runs of Plumb's own; a case without [method] has none");
+    read_studies(study, file, overrides, text_of, spec);
+    if (has_uncertainty) spec.uncertainty = read_uncertainty(uncertainty, spec);
+    if (has_error_budget)
+      spec.error_budget =
+          read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
+            return read_case(file, written, joined_overrides(overrides, more), text_of, Extent::motion).spec;
+          });
+  }
 
   loaded.references = std::move(read.references);
-  loaded.source = {file, overrides, std::move(read.texts)};
+  loaded.given_runs = std::move(given.runs);
+  loaded.source = {file, overrides, std::move(read.texts), std::move(given.texts)};
   loaded.remarks.insert(loaded.remarks.end(), read.remarks.begin(), read.remarks.end());
+  loaded.remarks.insert(loaded.remarks.end(), given.remarks.begin(), given.remarks.end());
   for (const std::string& name : parameters.unused()) {
     loaded.remarks.push_back(fmt::format("parameters.{} is not used", name));
   }
   return loaded;
 }
 
-/// Gives the texts of references that a source holds, which must outlive it.
+/// Gives the texts of references and given runs that a source holds, which must outlive it.
 ReferenceText texts_of(const CaseSource& source) {
   return [&](const std::string& name) {
-    const auto found = std::find_if(source.references.begin(), source.references.end(),
-                                    [&](const NamedText& reference) { return reference.name == name; });
-    return found != source.references.end() ? FileText{found->text, ""}
-                                            : FileText{"", "its text is not among those of the case"};
+    for (const auto* files : {&source.references, &source.given_runs})
+      for (const NamedText& file : *files)
+        if (file.name == name) return FileText{file.text, ""};
+    return FileText{"", "its text is not among those of the case"};
   };
 }
 
@@ -119,17 +162,26 @@ LoadedCase load_case(const std::string& path, const std::vector<std::string>& ov
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return read_case(
       {path, text}, overrides,
-      [&](const std::string& name) { return read_file_text((folder / name).string()); }, Studies::read);
+      [&](const std::string& name) { return read_file_text((folder / name).string()); }, Extent::everything);
 }
 
 LoadedCase load_case(const CaseSource& source) {
-  return read_case(source.file, source.overrides, texts_of(source), Studies::read);
+  return read_case(source.file, source.overrides, texts_of(source), Extent::everything);
 }
 
 LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
   std::vector<std::string> overrides = source.overrides;
   overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
-  return read_case(source.file, overrides, texts_of(source), Studies::ignored);
+  return read_case(source.file, overrides, texts_of(source), Extent::without_studies);
+}
+
+LoadedCase load_without_studies(const CaseSource& source) {
+  return read_case(source.file, source.overrides, texts_of(source), Extent::without_studies);
+}
+
+LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {
+  return read_case(source.file, joined_overrides(source.overrides, overrides), texts_of(source),
+                   Extent::without_studies);
 }
 
 }  // namespace plumb

@@ -18,7 +18,7 @@ void check_product(const TableReader& table, double product, std::string_view ke
 
 }  // namespace
 
-CableSpec read_cable(TableReader table) {
+CableSpec read_cable(TableReader table, bool has_mesh) {
   constexpr int most_elements = 1'000'000;
   CableSpec cable;
   cable.length = table.number("length", Range::positive("m"));
@@ -26,7 +26,9 @@ CableSpec read_cable(TableReader table) {
   cable.density = table.number("density", Range::positive("kg/m³"));
   cable.youngs_modulus = table.number("youngs_modulus", Range::positive("Pa"));
   const auto second_moment = table.optional_number("second_moment", Range::at_least(0, "m⁴"));
-  cable.elements = static_cast<int>(table.number("elements", Range::whole_between(1, most_elements)));
+  const Range elements = Range::whole_between(1, most_elements);
+  cable.elements =
+      static_cast<int>(has_mesh ? table.number("elements", elements) : table.number("elements", elements, 0));
   cable.model = table.choice<CableModel>("model", CableModel::cable);
   cable.strain = table.choice<StrainModel>("strain", StrainModel::green_geometric);
   cable.quadrature = table.choice<QuadratureRule>("quadrature", QuadratureRule::full);

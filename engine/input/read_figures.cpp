@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/input/case_sections.h"
+#include "engine/input/figure_names.h"
 #include "engine/input/name_rule.h"
 #include "engine/input/nearest.h"
 #include "engine/input/probe_columns.h"
@@ -58,8 +59,8 @@ std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std:
     table.finish();
 
     if (!follows_name_rule(figure.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
-    if (figure.name == energy_figure_name)
-      table.refuse_value("name", "is the name of the figure of energies");
+    if (std::find(run_figure_names.begin(), run_figure_names.end(), figure.name) != run_figure_names.end())
+      table.refuse_value("name", "is the name of a figure that every run has");
     const auto same = [&](const FigureSpec& other) { return other.name == figure.name; };
     if (std::any_of(figures.begin(), figures.end(), same))
       table.refuse_value("name", "is the name of another figure");

@@ -4,11 +4,14 @@
 
 namespace plumb {
 
-TimeSpec read_time(TableReader table) {
+TimeSpec read_time(TableReader table, std::optional<double> end) {
   constexpr double most_outputs = 1e6;
   TimeSpec time;
-  time.end = table.number("end", Range::positive("s"));
-  time.output_interval = table.number("output_interval", Range::positive("s"));
+  time.end =
+      end ? table.number("end", Range::positive("s"), *end) : table.number("end", Range::positive("s"));
+  // A given run has its own times, and no outputs of ours.
+  time.output_interval = end ? table.number("output_interval", Range::positive("s"), time.end)
+                             : table.number("output_interval", Range::positive("s"));
   table.finish();
 
   if (time.output_interval > time.end) {

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 
-#include "engine/errors.h"
 #include "engine/input/case_sections.h"
+#include "engine/input/changed_case.h"
 #include "engine/input/nearest.h"
 #include "engine/input/probe_columns.h"
-#include "engine/input/value_text.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/study/variant_quantities.h"
 
@@ -15,38 +14,6 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t longest_name = 80;
-
-/// A key that a variant sets, where it stands, and the override that it comes to.
-struct Setting {
-  const TomlValue* value;
-  std::string key;
-  std::string override_text;
-};
-
-/// Dotted keys and quoted ones alike: { method.step = 0.2 } and { "method.step" = 0.2 }.
-void collect(const TomlValue& table, const std::string& before, std::vector<Setting>& settings) {
-  for (const TomlValue& item : table.items) {
-    const std::string key = before.empty() ? item.key : fmt::format("{}.{}", before, item.key);
-    if (item.kind == TomlValue::Kind::table)
-      collect(item, key, settings);
-    else
-      settings.push_back({&item, key, fmt::format("{}={}", key, value_text(item))});
-  }
-}
-
-/// Says of an error in a variant's case which variant it is in, and where that sets what is wrong.
-[[noreturn]] void refuse_case(const TableReader& table, const VariantSpec& variant,
-                              const std::vector<Setting>& settings, const std::string& fault) {
-  for (const Setting& setting : settings) {
-    const std::string start = fmt::format("--set {}: ", setting.override_text);
-    if (fault.starts_with(start))
-      refuse(setting.value->place, table.full_key("set." + setting.key), setting.value->written,
-             fmt::format("{}, in the variant \"{}\"", fault.substr(start.size()), variant.name));
-  }
-  const TomlValue* set = table.value().find("set");
-  refuse(set != nullptr ? set->place : table.value().place, table.full_key("set"), "",
-         fmt::format("the variant \"{}\" is no valid case: {}", variant.name, fault));
-}
 
 std::vector<std::string> possible_outcomes() {
   std::vector<std::string> words;
@@ -103,7 +70,7 @@ Read read_variant(TableReader& table, const CaseWithOverrides& with) {
   Read read;
   VariantSpec& variant = read.variant;
   variant.name = table.text("name", "a name");
-  const TableReader set = table.table("set");
+  const CaseChanges changes(table, fmt::format("the variant \"{}\"", variant.name));
   const std::vector<std::string> outcome_words = possible_outcomes();
   if (const auto outcome = table.choice("outcome", outcome_words, true))
     variant.outcome = outcome_words[*outcome];
@@ -120,21 +87,9 @@ Read read_variant(TableReader& table, const CaseWithOverrides& with) {
   if (variant.outcome == word(Outcome::completed) && !variant.says.empty())
     table.refuse_value("says", "a run that completes has no message");
 
-  std::vector<Setting> settings;
-  collect(set.value(), "", settings);
-  for (const Setting& setting : settings) {
-    if (setting.key == "study" || setting.key.starts_with("study."))
-      refuse(setting.value->place, table.full_key("set." + setting.key), setting.value->written,
-             "a variant has no studies");
-    variant.overrides.push_back(setting.override_text);
-  }
-  try {
-    read.spec = with(variant.overrides);
-  } catch (const InputError& error) {
-    refuse_case(table, variant, settings, error.what());
-  } catch (const UsageError& error) {
-    refuse_case(table, variant, settings, error.what());
-  }
+  changes.refuse_keys_in({"study", "uncertainty", "error_budget"}, "a variant has no studies");
+  variant.overrides = changes.overrides();
+  read.spec = changes.read(with);
   for (TableReader& expectation : read.expectations)
     variant.expectations.push_back(read_expectation(expectation, read.spec));
   return read;

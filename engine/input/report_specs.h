@@ -8,11 +8,15 @@ namespace plumb {
 
 /// [[run]]: a trajectory that another program computed, reported on as one of Plumb's own.
 struct GivenRunSpec {
-  std::string name;                            ///< unique; default: the file's name without its ending
-  std::string file;                            ///< CSV with a header, or HDF5; relative to the case file
-  std::string program;                         ///< what computed it, with its version; may be empty
-  std::map<std::string, std::string> columns;  ///< "t" or a column of the probes -> the file's name for it
-  std::map<std::string, std::string> units;    ///< "t" or a column of the probes -> its unit in the file
+  std::string name;     ///< unique; default: the file's name without its ending
+  std::string file;     ///< CSV with a header, or HDF5; relative to the case file
+  std::string program;  ///< what computed it, with its version; may be empty
+  /// "t" or a column of the probes -> the file's name for it; an empty one: the file does not have it.
+  std::map<std::string, std::string> columns;
+  std::map<std::string, std::string> units;  ///< "t" or a column of the probes -> its unit in the file
+  /// Column of the probes -> how far it may be from the run that is reported, in the column's unit, > 0.
+  std::map<std::string, double> tolerances;
+  std::string reason;  ///< why these tolerances; may be empty
 
   friend bool operator==(const GivenRunSpec&, const GivenRunSpec&) = default;
 };
@@ -22,7 +26,7 @@ enum class Distribution { uniform, normal };
 
 /// [[uncertainty.input]]: a number of the case that is known only so well.
 struct UncertainInput {
-  std::string key;  ///< "cable.youngs_modulus", or "loads.gravity[1]" for an entry of a list
+  std::string key;  ///< "cable.youngs_modulus", or "loads.gravity.1" for an entry of a list
   Distribution distribution = Distribution::normal;
   double spread = 0;      ///< standard deviation of a normal, half width of a uniform distribution, > 0
   bool relative = false;  ///< `spread` is a share of the value
@@ -33,7 +37,7 @@ struct UncertainInput {
 
 /// [uncertainty]: the parts of the validation uncertainty that are estimated (ASME V&V 20).
 struct UncertaintySpec {
-  bool numerical = false;  ///< by Richardson extrapolation over meshes of half and a quarter of the elements
+  bool numerical = false;  ///< mesh by Richardson extrapolation, time integration by a finer run
   int samples = 0;         ///< of the inputs; 0: not estimated
   long seed = 1;           ///< ≥ 0
   std::vector<UncertainInput> inputs;
@@ -46,6 +50,7 @@ struct BudgetItemSpec {
   std::string name;                    ///< unique: "time integration"
   std::vector<std::string> overrides;  ///< "method.name=rk4", as --set takes them
   std::string reason;                  ///< may be empty
+  bool together = true;                ///< false: for information, and no part of all of them together
 
   friend bool operator==(const BudgetItemSpec&, const BudgetItemSpec&) = default;
 };
@@ -54,6 +59,7 @@ struct BudgetItemSpec {
 struct BudgetSpec {
   std::string reference;               ///< name of a [[reference]]
   std::vector<std::string> overrides;  ///< that make the case the published computation
+  double interval = 0;  ///< s, at which distances are taken beside those at the reference's times; 0: none
   std::vector<BudgetItemSpec> items;
 
   friend bool operator==(const BudgetSpec&, const BudgetSpec&) = default;

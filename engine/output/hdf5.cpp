@@ -1,5 +1,6 @@
 #include "engine/output/hdf5.h"
 
+#include <atomic>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -35,11 +36,17 @@ void silence() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Handle string_type() {
+Handle string_type(H5T_cset_t characters = H5T_CSET_UTF8) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot make a string type");
   require(H5Tset_size(type, H5T_VARIABLE), "cannot make a string type");
-  require(H5Tset_cset(type, H5T_CSET_UTF8), "cannot make a string type");
+  require(H5Tset_cset(type, characters), "cannot make a string type");
   return type;
+}
+
+/// A name for a file in memory. The library takes two open ones of the same name for the same file.
+std::string memory_name() {
+  static std::atomic<long> count = 0;
+  return "memory-" + std::to_string(++count);
 }
 
 Handle space_of(const std::vector<hsize_t>& shape) {
@@ -93,7 +100,7 @@ Writer::Writer() {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a file in memory");
   constexpr std::size_t growth = 1 << 20;
   require(H5Pset_fapl_core(access, growth, false), "cannot make a file in memory");
-  file_ = H5Fcreate("run.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  file_ = H5Fcreate(memory_name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   require(static_cast<herr_t>(file_ < 0 ? -1 : 0), "cannot make a file in memory");
 }
 
@@ -126,6 +133,10 @@ void Writer::texts(const std::string& path, const std::vector<std::string>& valu
   write(file_, path, string_type(), {values.size()}, pointers.data(), "text");
 }
 
+void Writer::bytes(const std::string& path, std::string_view value) {
+  write(file_, path, H5T_NATIVE_UCHAR, {value.size()}, value.data(), "bytes");
+}
+
 std::string Writer::bytes() {
   require(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot finish the file");
   const auto size = H5Fget_file_image(file_, nullptr, 0);
@@ -143,7 +154,7 @@ Reader::Reader(const std::string& bytes) {
   require(H5Pset_fapl_core(access, growth, false), "cannot open a file in memory");
   // The library takes a copy and does not write to what it is given.
   require(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "it is no HDF5 file");
-  file_ = H5Fopen("run.h5", H5F_ACC_RDONLY, access);
+  file_ = H5Fopen(memory_name().c_str(), H5F_ACC_RDONLY, access);
   if (file_ < 0) throw std::runtime_error("it is no HDF5 file");
 }
 
@@ -211,6 +222,96 @@ std::string Reader::text(const std::string& path) const {
   const std::vector<std::string> all = texts(path);
   if (all.size() != 1) throw std::runtime_error("the data set " + path + " is not one text");
   return all.front();
+}
+
+std::string Reader::bytes(const std::string& path) const {
+  const OpenSet opened = open(file_, path, H5T_INTEGER);
+  if (opened.shape.size() != 1) throw std::runtime_error("the data set " + path + " is not a row of bytes");
+  // What is packed may claim to be any size.
+  constexpr hsize_t longest = 256 * 1024 * 1024;
+  if (opened.shape.front() > longest) throw std::runtime_error("the data set " + path + " is too long");
+  std::string value(opened.shape.front(), '\0');
+  if (!value.empty())
+    require(H5Dread(opened.set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()),
+            "the data set " + path + " cannot be read");
+  return value;
+}
+
+namespace {
+
+/// Where `series` collects what it visits.
+struct Visit {
+  hid_t file;
+  std::vector<std::string> paths;
+};
+
+herr_t visit(hid_t, const char* name, const H5O_info_t* info, void* data) {
+  constexpr std::size_t most_paths = 10'000;
+  auto& found = *static_cast<Visit*>(data);
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  try {
+    const std::string path = name;
+    const Handle set(H5Dopen2(found.file, name, H5P_DEFAULT), H5Dclose, path);
+    const Handle type(H5Dget_type(set), H5Tclose, path), space(H5Dget_space(set), H5Sclose, path);
+    const H5T_class_t kind = H5Tget_class(type);
+    if ((kind == H5T_FLOAT || kind == H5T_INTEGER) && H5Sget_simple_extent_ndims(space) == 1)
+      found.paths.push_back(path);
+  } catch (const std::runtime_error&) {
+    return 0;  // a data set that cannot be opened is none
+  }
+  return found.paths.size() < most_paths ? 0 : 1;
+}
+
+}  // namespace
+
+std::vector<std::string> Reader::series() const {
+  Visit found{file_, {}};
+  require(H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_INC, visit, &found, H5O_INFO_BASIC),
+          "its data sets cannot be listed");
+  return found.paths;
+}
+
+std::vector<double> Reader::series_values(const std::string& path, hsize_t most) const {
+  const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "the data set is missing");
+  const Handle space(H5Dget_space(set), H5Sclose, path);
+  hsize_t count = 0;
+  if (H5Sget_simple_extent_ndims(space) != 1)
+    throw std::runtime_error("the data set is not of one dimension");
+  require(H5Sget_simple_extent_dims(space, &count, nullptr), path);
+  if (count > most)
+    throw std::runtime_error(std::to_string(count) + " rows are more than the " + std::to_string(most) +
+                             " that are read");
+  std::vector<double> values(count);
+  if (!values.empty())
+    require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+            "the data set cannot be read");
+  return values;
+}
+
+std::string Reader::unit(const std::string& path) const {
+  constexpr std::size_t longest = 100;
+  const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "the data set is missing");
+  if (H5Aexists(set, "unit") <= 0) return "";
+  const Handle attribute(H5Aopen(set, "unit", H5P_DEFAULT), H5Aclose, path);
+  const Handle type(H5Aget_type(attribute), H5Tclose, path), space(H5Aget_space(attribute), H5Sclose, path);
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
+    throw std::runtime_error("the unit of " + path + " is not one text");
+  if (H5Tis_variable_str(type) > 0) {
+    const Handle as = string_type(H5Tget_cset(type));
+    char* pointer = nullptr;
+    require(H5Aread(attribute, as, &pointer), "the unit of " + path + " cannot be read");
+    std::string unit = pointer != nullptr ? std::string(pointer).substr(0, longest) : "";
+    H5Dvlen_reclaim(as, space, H5P_DEFAULT, &pointer);
+    return unit;
+  }
+  const std::size_t size = H5Tget_size(type);
+  if (size > longest) throw std::runtime_error("the unit of " + path + " is too long");
+  std::string unit(size, '\0');
+  require(H5Aread(attribute, type, unit.data()), "the unit of " + path + " cannot be read");
+  // Padded by blanks or 0 bytes.
+  unit.resize(std::min(unit.find('\0'), unit.size()));
+  unit.resize(unit.find_last_not_of(' ') + 1);
+  return unit;
 }
 
 }  // namespace plumb::hdf5

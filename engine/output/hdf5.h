@@ -28,6 +28,8 @@ class Writer {
   void integers(const std::string& path, const std::vector<long>& values);
   void text(const std::string& path, std::string_view value);
   void texts(const std::string& path, const std::vector<std::string>& values);
+  /// Bytes of any kind, a file within the file.
+  void bytes(const std::string& path, std::string_view value);
 
   /// The bytes of the finished file.
   std::string bytes();
@@ -60,6 +62,16 @@ class Reader {
   std::vector<long> integers(const std::string& path) const;
   std::string text(const std::string& path) const;
   std::vector<std::string> texts(const std::string& path) const;
+  std::string bytes(const std::string& path) const;
+
+  // Of files that other programs wrote:
+
+  /// Paths of the data sets of numbers with one dimension, at most 10,000.
+  std::vector<std::string> series() const;
+  /// The numbers of one of them, whole ones too. Throws for more than `most`.
+  std::vector<double> series_values(const std::string& path, hsize_t most) const;
+  /// The text of its attribute `unit`; empty where it has none.
+  std::string unit(const std::string& path) const;
 
  private:
   hid_t file_;

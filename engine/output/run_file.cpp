@@ -11,6 +11,7 @@
 #include "engine/input/place.h"
 #include "engine/model/support_constraints.h"
 #include "engine/output/checked_file.h"
+#include "engine/output/given_probes.h"
 #include "engine/output/hdf5.h"
 #include "engine/output/stored_parts.h"
 
@@ -160,7 +161,10 @@ std::string encode_run(const Run& run) {
   hdf5::Writer file;
   write_format(format_name, run_file_version, file);
   write_source(run.loaded.source, file);
-  write_trajectory(run.trajectory, file);
+  if (reports_given_run(run.loaded.spec))
+    file.numbers("time", {run.trajectory.times.size()}, run.trajectory.times.data(), "s");
+  else
+    write_trajectory(run.trajectory, file);
   for (const Column& column : run.probes.columns)
     file.numbers("probes/" + column.name, {column.values.size()}, column.values.data(), column.unit);
   write_provenance(run.provenance, file);
@@ -173,9 +177,14 @@ Run read_run(const std::string& path) {
     const hdf5::Reader file(bytes);
     read_format(file, format_name, run_file_version, "run file");
     Run run;
-    run.trajectory = read_trajectory(file);
+    const bool has_states = file.has("outcome");
+    if (has_states) run.trajectory = read_trajectory(file);
     run.provenance = read_provenance(file);
     run.loaded = load_case(read_source(file));
+    if (has_states == reports_given_run(run.loaded.spec))
+      throw std::runtime_error(has_states ? "it has states, and a case without [method]"
+                                          : "it has neither states nor a given run that is reported");
+    if (!has_states) return reported_run(std::move(run.loaded), std::move(run.provenance));
     const Case& spec = run.loaded.spec;
     if (spec.cable.elements != run.trajectory.elements)
       throw std::runtime_error("its states and its case have different numbers of elements");

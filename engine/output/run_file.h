@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// Version of the layout of run files; a reader refuses a later one.
-inline constexpr long run_file_version = 1;
+/// Version of the layout of run files; a reader refuses a later one. 2: given runs.
+inline constexpr long run_file_version = 2;
 
 /// The bytes of a run file (HDF5). Each data set has a `unit`; output/README.md describes the layout.
 std::string encode_run(const Run& run);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "engine/input/changed_case.h"
 #include "engine/input/stability_of.h"
 #include "engine/study/critical_step.h"
 #include "engine/study/energy_histories.h"
@@ -76,7 +77,7 @@ class StabilityStudy {
   Case with_parameter(double value) const {
     CaseSource source = loaded_.source;
     source.overrides.push_back(fmt::format("parameters.{}={}", what_.parameter, value));
-    return plain(load_case(source).spec);
+    return plain(load_without_studies(source).spec);
   }
 
   void make_motions(double longest) {

@@ -8,6 +8,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/case_sections.h"
+#include "engine/input/changed_case.h"
 #include "engine/input/place.h"
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_info.h"
@@ -83,7 +84,7 @@ class Model {
         sweep_(spec),
         judged_by_(judged_by),
         overrides_(model_overrides(loaded.spec, spec.seed, index)),
-        model_(load_case(with(loaded.source, overrides_)).spec),
+        model_(load_without_studies(with(loaded.source, overrides_)).spec),
         references_(make_references(model_, spec.tolerance)) {}
 
   SweepRun run(long number) const {
@@ -93,7 +94,7 @@ class Model {
     try {
       for (std::string& text : method_overrides(file_.spec, model_, sweep_.seed, number))
         result.overrides.push_back(std::move(text));
-      const Case spec = load_case(with(file_.source, result.overrides)).spec;
+      const Case spec = load_without_studies(with(file_.source, result.overrides)).spec;
       result.method = spec.method.name;
       judge_run(integrate(spec, {}, sweep_.time_limit), result);
     } catch (const Interrupted&) {
@@ -133,10 +134,10 @@ SweepRun lost_run(const LoadedCase& loaded, const SweepSpec& spec, long number, 
   run.number = number;
   run.fault = fault;
   run.overrides = model_overrides(loaded.spec, spec.seed, number / runs_of_a_model);
-  const Case model = load_case(with(loaded.source, run.overrides)).spec;
+  const Case model = load_without_studies(with(loaded.source, run.overrides)).spec;
   for (std::string& text : method_overrides(loaded.spec, model, spec.seed, number))
     run.overrides.push_back(std::move(text));
-  run.method = load_case(with(loaded.source, run.overrides)).spec.method.name;
+  run.method = load_without_studies(with(loaded.source, run.overrides)).spec.method.name;
   return run;
 }
 
@@ -162,7 +163,7 @@ Sweep run_sweep(const LoadedCase& loaded, const SweepProgress& progress, const J
     jobs.lines.push_back(static_cast<std::size_t>(std::min(runs_of_a_model, spec.cases - first)));
   // A case that cannot be varied is told at once.
   for (long model = 0; model < std::min(std::ssize(jobs.lines), models_checked); ++model)
-    load_case(with(loaded.source, model_overrides(loaded.spec, spec.seed, model)));
+    load_without_studies(with(loaded.source, model_overrides(loaded.spec, spec.seed, model)));
 
   jobs.longest_silence = std::max(least_silence, patience * spec.time_limit);
   jobs.work = [&](std::size_t job, std::size_t first, const TakeLine& take) {

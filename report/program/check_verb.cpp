@@ -11,11 +11,24 @@ namespace plumb {
 
 ExitStatus check_verb(const Options& options, Talk& talk) {
   const LoadedCase loaded = load(options, talk);
+  const Case& spec = loaded.spec;
+  const bool reports_given = reports_given_run(spec);
   long criteria = 0;
-  for (const ReferenceUse& use : loaded.spec.references) criteria += std::ssize(use.compare);
-  talk.line(fmt::format("{} is valid: {}, {}, {} to {:.4g} s, {}", loaded.source.file.name, loaded.spec.title,
-                        counted(loaded.spec.cable.elements, "element", "elements"), loaded.spec.method.name,
-                        loaded.spec.time.end, counted(criteria, "criterion", "criteria")));
+  for (const ReferenceUse& use : spec.references) criteria += std::ssize(use.compare);
+  criteria *= std::ssize(spec.given_runs) + (reports_given ? 0 : 1);
+  for (const GivenRunSpec& given : spec.given_runs) criteria += std::ssize(given.tolerances);
+  const std::string what =
+      reports_given ? "a given run"
+                    : counted(spec.cable.elements, "element", "elements") + ", " + spec.method.name;
+  talk.line(fmt::format("{} is valid: {}, {} to {:.4g} s, {}", loaded.source.file.name, spec.title, what,
+                        spec.time.end, counted(criteria, "criterion", "criteria")));
+  for (std::size_t k = 0; k < spec.given_runs.size(); ++k) {
+    const GivenRun& given = loaded.given_runs[k];
+    talk.line(fmt::format("{}: {} of {}, {} from {:.4g} to {:.4g} s", spec.given_runs[k].name,
+                          counted(std::ssize(given.columns), "column", "columns"),
+                          computed_by(spec.given_runs[k]), counted(std::ssize(given.times), "row", "rows"),
+                          given.times.front(), given.times.back()));
+  }
   if (options.json) print_json(case_json(loaded));
   return ExitStatus::done;
 }

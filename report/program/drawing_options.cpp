@@ -1,11 +1,13 @@
 #include "report/program/drawing_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <limits>
 
 #include "engine/errors.h"
+#include "report/program/work.h"
 
 namespace plumb {
 namespace {
@@ -34,8 +36,14 @@ std::optional<FrameRange> asked_frames(const Options& options) {
 }
 
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
-  if (options.size.empty() && options.camera.empty()) return loaded;
+  if (options.size.empty() && options.camera.empty() && options.overrides.empty()) return loaded;
   CaseSource source = loaded.source;
+  for (const std::string& set : options.overrides) {
+    if (!set.starts_with("scene."))
+      throw UsageError(fmt::format(
+          "--set {}: the run is done; only keys of [scene] can be set, such as scene.theme=dark", set));
+    source.overrides.push_back(set);
+  }
   if (!options.size.empty()) {
     const std::size_t times = options.size.find('x');
     const auto width = whole(std::string_view(options.size).substr(0, times));
@@ -47,6 +55,21 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
   }
   if (!options.camera.empty()) source.overrides.push_back("scene.camera=" + options.camera);
   return load_case(source);
+}
+
+void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,
+               Talk& talk) {
+  if (scene.motion() == nullptr) return;
+  for (const std::string& path : options.over) others.push_back({path, find_run(path), false});
+  for (const std::string& path : options.beside) others.push_back({path, find_run(path), true});
+  add_other_runs(scene.input(), options.input, *scene.motion(), others);
+  if (!options.points) return;
+  ReferencePoints points = reference_points(run, *scene.motion(), scene.input());
+  if (points.series.empty())
+    throw UsageError(fmt::format("--points: there is none to show{}{}", points.left_out.empty() ? "" : ": ",
+                                 fmt::join(points.left_out, "; ")));
+  for (const std::string& reason : points.left_out) talk.remark("--points: " + reason);
+  scene.input().points = std::move(points.series);
 }
 
 }  // namespace plumb

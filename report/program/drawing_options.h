@@ -6,6 +6,9 @@
 #include "engine/input/case_source.h"
 #include "render/frame_stream.h"
 #include "report/program/options.h"
+#include "report/program/talk.h"
+#include "report/scene_of_run.h"
+#include "report/scene_of_runs.h"
 
 namespace plumb {
 
@@ -13,8 +16,14 @@ namespace plumb {
 /// UsageError.
 std::optional<FrameRange> asked_frames(const Options& options);
 
-/// The case of a run, read anew with the scene that --size and --camera ask for. Throws UsageError and
-/// InputError.
+/// The case of a run, read anew with the scene that --set, --size and --camera ask for. Throws UsageError,
+/// also where --set is given a key that is not of the scene, and InputError.
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options);
+
+/// Adds to the scene of a run the others that --over and --beside ask for, read into `others`, which must
+/// outlive what draws the scene, and the points that --points asks for; says which it leaves out. Nothing
+/// where there is no motion to draw. Throws InputError, and UsageError where there is no point to show.
+void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,
+               Talk& talk);
 
 }  // namespace plumb

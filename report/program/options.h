@@ -20,6 +20,7 @@ enum class ExitStatus {
 /// What the command line said, for all verbs.
 struct Options {
   std::string input;                   ///< case file or run
+  std::vector<std::string> inputs;     ///< all of them, where a verb takes several; `input` is the first
   std::string other;                   ///< second file or folder of diff
   std::string kind;                    ///< of study; empty: not given
   std::vector<std::string> overrides;  ///< of --set
@@ -29,10 +30,14 @@ struct Options {
   std::string size;                    ///< of --size
   std::string camera;                  ///< of --camera
   std::string video;                   ///< of --video
+  std::vector<std::string> over;       ///< runs of --over
+  std::vector<std::string> beside;     ///< runs of --beside
+  bool points = false;                 ///< --points
   std::string html;                    ///< of --html; empty: not given
   std::optional<int> channel;          ///< of --channel
   std::optional<double> density;       ///< of --density
   std::optional<double> numbers;       ///< of --numbers
+  std::string baseline;                ///< of --baseline; empty: not given
   bool economy = false;                ///< --economy
   bool explain = false;                ///< --explain
   std::string from;                    ///< of --from; empty: not given

@@ -45,6 +45,17 @@ void add_drawing(CLI::App& command, Options& options) {
   command
       .add_option("--video", options.video, "write the frames to FILE.mp4 or FILE.webm as well, with ffmpeg")
       ->type_name("FILE");
+  const auto add_runs = [&](const char* name, std::vector<std::string>& runs, const char* help) {
+    command.add_option(name, runs, help)
+        ->type_name("RUN")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  };
+  add_runs("--over", options.over, "show another run in the frames, over this one (repeatable)");
+  add_runs("--beside", options.beside, "show another run in the frames, to the right (repeatable)");
+  command.add_flag(
+      "--points", options.points,
+      "show the points of the references in the frames, where enough of their components is known");
 }
 
 void add_comparison(CLI::App& command, Options& options) {
@@ -71,16 +82,40 @@ void add_comparison(CLI::App& command, Options& options) {
   command.add_flag("--accept", options.accept, "make B the baseline: put it in the place of A");
 }
 
+void add_input(const Verb& verb, CLI::App& command, Options& options) {
+  const std::string meaning =
+      verb.input == "CASE" ? "case file (TOML)" : "run.h5, study.h5 or study.json, or its folder";
+  if (!verb.takes_many) {
+    command.add_option(verb.input, options.input, meaning)->required()->type_name("");
+    return;
+  }
+  command.add_option(verb.input, options.inputs, meaning + "; several make an index over their reports")
+      ->required(!verb.takes_document)
+      ->type_name("");
+}
+
 void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand(verb.name, verb.summary);
   command->footer(exit_statuses);
-  if (!verb.input.empty())
+  if (!verb.input.empty()) add_input(verb, *command, options);
+  if (verb.takes_document)
     command
         ->add_option(
-            verb.input, options.input,
-            verb.input == "CASE" ? "case file (TOML)" : "run.h5, study.h5 or study.json, or its folder")
-        ->required()
-        ->type_name("");
+            "--from", options.from,
+            "the page again from a results.json and the pictures beside it: nothing is solved, drawn "
+            "or compared")
+        ->type_name("FILE");
+  if (verb.takes_baseline) {
+    command
+        ->add_option("--baseline", options.baseline,
+                     "an earlier output folder, or its results.json: what moved since is a criterion not met")
+        ->type_name("DIR");
+    command
+        ->add_option("--numbers", options.numbers,
+                     "what a column may move by since the baseline, relative to its largest; default 1e-9")
+        ->type_name("SHARE")
+        ->check(CLI::NonNegativeNumber);
+  }
   if (verb.takes_kind)
     command
         ->add_option("KIND", options.kind,
@@ -90,7 +125,8 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   if (verb.takes_overrides)
     command
         ->add_option("--set", options.overrides,
-                     "set a key of the case, such as cable.elements=8 (repeatable)")
+                     verb.draws ? "set a key of [scene], such as scene.theme=dark (repeatable)"
+                                : "set a key of the case, such as cable.elements=8 (repeatable)")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -142,6 +178,7 @@ int parse_and_act(int count, const char* const* arguments) {
   }
   if (options.json && options.csv == "-")
     throw UsageError("--json and --csv - cannot both have standard output");
+  if (!options.inputs.empty()) options.input = options.inputs.front();
   Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
   const std::string chosen = app.get_subcommands().front()->get_name();
   for (const Verb& verb : verbs())

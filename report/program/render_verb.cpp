@@ -11,14 +11,17 @@
 #include "report/program/verbs.h"
 #include "report/program/video.h"
 #include "report/program/work.h"
+#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {
 
 /// Frames as PNG files one after another on standard output, for an encoder.
-ExitStatus stream_to_standard_output(const Run& run, const Options& options, Talk& talk) {
+ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, const Options& options,
+                                     Talk& talk) {
+  if (shown.motion() == nullptr) throw OutputError("there are no frames: " + shown.notes().front());
   const GlContext context;
-  SceneRenderer scene(context, run.trajectory, scene_input(run.loaded.spec));
+  SceneRenderer scene(context, *shown.motion(), shown.input());
   const FrameRange range = range_within(scene, asked_frames(options));
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
@@ -41,20 +44,25 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   const std::optional<FrameRange> frames = asked_frames(options);
   Run run = find_run(options.input);
   run.loaded = with_asked_scene(run.loaded, options);
-  if (to_standard_output) return stream_to_standard_output(run, options, talk);
+  std::vector<OtherRun> others;
+  SceneOfRun scene(run);
+  add_asked(scene, run, options, others, talk);
+  if (to_standard_output) return stream_to_standard_output(run, scene, options, talk);
   OutputFolder folder(output_path_of_run(options));
   std::unique_ptr<Video> video;
   if (!options.video.empty())
     video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
+  note_renderer(run);
   write_run(run, folder);
-  for (const char* report_file :
-       {"index.html", "results.json", "junit.xml", "summary.md", "study.h5", "choice.json"})
+  for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5",
+                                  "assessment.json", "choice.json"})
     folder.keep(report_file);
-  const Pictures pictures = draw_pictures(run, frames, folder, stages, talk);
+  const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, talk);
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
       video->add(read_whole_file(folder.file(fmt::format("frames/{:04}.png", k))));
+    if (!pictures.animated()) throw OutputError("there is no video: " + pictures.animation_notes.front());
     video->finish();
     stages.end();
   }

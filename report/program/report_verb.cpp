@@ -1,4 +1,8 @@
+#include "engine/errors.h"
+#include "report/program/assessment_work.h"
 #include "report/program/economy_work.h"
+#include "report/program/from_document.h"
+#include "report/program/many_reports.h"
 #include "report/program/study_kinds.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
@@ -7,6 +11,12 @@
 namespace plumb {
 
 ExitStatus report_verb(const Options& options, Talk& talk) {
+  if (!options.from.empty()) {
+    if (!options.inputs.empty()) throw UsageError("--from takes the place of RUN");
+    return report_from_document(options, talk);
+  }
+  if (options.inputs.empty()) throw UsageError("report needs a RUN, or --from results.json");
+  if (options.inputs.size() > 1) return index_many(matching_paths(options.inputs), options, talk);
   Stages stages;
   stages.begin("reading");
   if (is_study(options.input)) {
@@ -19,13 +29,16 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
     OutputFolder folder(output_path_of_run(options));
     return kind.report(json->text, folder, stages, options, talk);
   }
-  const Run run = find_run(options.input);
+  Run run = find_run(options.input);
   OutputFolder folder(output_path_of_run(options));
+  note_renderer(run);
   write_run(run, folder);
   const std::optional<Study> study = study_beside(options.input);
   if (study) write_study(*study, folder);
+  const Assessment assessment = assessment_beside(options.input, run);
+  write_assessment(assessment, folder);
   const std::optional<Economy> economy = choice_beside(options.input, run, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr,
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment,
                          economy ? &*economy : nullptr);
 }
 

@@ -1,4 +1,7 @@
+#include "report/program/assessment_work.h"
+#include "report/program/earlier_report.h"
 #include "report/program/economy_work.h"
+#include "report/program/many_reports.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -6,9 +9,19 @@
 namespace plumb {
 
 ExitStatus run_verb(const Options& options, Talk& talk) {
+  const std::vector<std::string> cases = matching_paths(options.inputs);
+  if (cases.size() > 1) return run_many(cases, options, talk);
+  Options one = options;
+  one.input = cases.front();
+  return run_one(one, talk);
+}
+
+ExitStatus run_one(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
   LoadedCase loaded = load(options, talk);
+  // Before any work: a baseline that is not there would be found out too late.
+  if (!options.baseline.empty()) find_document(options.baseline);
   OutputFolder folder(output_path(options, loaded));
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
@@ -20,11 +33,12 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
   } else {
     folder.keep("choice.json");
   }
-  stages.begin("solving");
-  const Run run = solve(loaded, talk);
+  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
+  Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
+  note_renderer(run);
   write_run(run, folder);
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.
@@ -33,7 +47,9 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
     study = quick_study(loaded, talk);
     write_study(*study, folder);
   }
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr,
+  const Assessment assessment = assess(run, stages, talk);
+  write_assessment(assessment, folder);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment,
                          economy ? &*economy : nullptr);
 }
 

@@ -12,6 +12,7 @@ namespace plumb {
 
 ExitStatus solve_verb(const Options& options, Talk& talk) {
   const LoadedCase given = load(options, talk);
+  refuse_without_method(given);
   const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, talk);
   std::optional<OutputFolder> folder;
   if (options.csv.empty() || !options.output.empty()) folder.emplace(output_path(options, loaded));

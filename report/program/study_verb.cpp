@@ -11,6 +11,7 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
   LoadedCase loaded = load(options, talk);
+  refuse_without_method(loaded);
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && kind.name != economy_kind)

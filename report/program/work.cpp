@@ -8,9 +8,14 @@
 #include "engine/errors.h"
 #include "engine/integrate/integrate.h"
 #include "engine/output/file_writing.h"
+#include "engine/output/given_probes.h"
 #include "engine/output/run_file.h"
 #include "render/gl_context.h"
+#include "report/budget_pictures.h"
+#include "report/budget_section.h"
 #include "report/economy_figure.h"
+#include "report/given_json.h"
+#include "report/program/earlier_report.h"
 #include "report/report_files.h"
 #include "report/study_pictures.h"
 
@@ -26,7 +31,11 @@ constexpr const char* run_file_name = "run.h5";
 
 void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk) {
   say_verdicts(verdicts_of(document), talk);
+  for (const std::string& distance : distances_in_words(document)) talk.line("  " + distance);
+  for (const Document& note : document.at("animation").value("notes", Document::array()))
+    talk.line("animation: " + note.get<std::string>());
   talk.line(document.at("headline").get<std::string>());
+  if (document.contains("error_budget")) talk.line(budget_in_words(document.at("error_budget")));
   talk.line("report: " + folder + "/index.html");
   if (options.json) write_to_standard_output(to_json(document));
 }
@@ -49,6 +58,24 @@ LoadedCase load(const Options& options, Talk& talk) {
   LoadedCase loaded = load_case(options.input, options.overrides);
   for (const std::string& remark : loaded.remarks) talk.remark(remark);
   return loaded;
+}
+
+Run solve_or_take(const LoadedCase& loaded, Talk& talk) {
+  if (!reports_given_run(loaded.spec)) return solve(loaded, talk);
+  Run run = reported_run(loaded, provenance_now());
+  talk.line(fmt::format("{}: not solved, given by {}: {} from {:.4g} to {:.4g} s", loaded.spec.title,
+                        computed_by(loaded.spec.given_runs.front()),
+                        counted(std::ssize(run.probes.times), "output", "outputs"), run.probes.times.front(),
+                        run.probes.times.back()));
+  return run;
+}
+
+void refuse_without_method(const LoadedCase& loaded) {
+  if (!reports_given_run(loaded.spec)) return;
+  throw UsageError(
+      fmt::format("{} has no [method], so there is nothing to solve: plumb run reports on its given "
+                  "run {}",
+                  loaded.source.file.name, loaded.spec.given_runs.front().name));
 }
 
 Run solve(const LoadedCase& loaded, Talk& talk) {
@@ -88,14 +115,24 @@ std::string output_path_of_run(const Options& options) {
   return fs::absolute(path).parent_path().string();
 }
 
+void note_renderer(Run& run) {
+  const std::string name = "renderer", fingerprint = GlContext().info().fingerprint();
+  for (auto& [known, value] : run.provenance)
+    if (known == name) {
+      value = fingerprint;
+      return;
+    }
+  run.provenance.emplace_back(name, fingerprint);
+}
+
 void write_run(const Run& run, OutputFolder& folder) {
   write_file(folder.file(run_file_name), encode_run(run));
   write_file(folder.file("probes.csv"), to_csv(run.probes));
 }
 
-Pictures draw_pictures(const Run& run, const std::optional<FrameRange>& range, OutputFolder& folder,
-                       Stages& stages, Talk& talk) {
-  Pictures pictures = draw(run, series_errors(run), range, folder, stages,
+Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk) {
+  Pictures pictures = draw(run, scene, series_errors(run), range, folder, stages,
                            [&](double share) { talk.progress("drawing", share); });
   talk.end_progress();
   return pictures;
@@ -115,11 +152,17 @@ void say_stages(const Stages& stages, Talk& talk) {
 }
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study, const Economy* economy) {
-  Pictures pictures = draw_pictures(run, {}, folder, stages, talk);
+                           Talk& talk, const Study* study, const Assessment* assessment,
+                           const Economy* economy) {
+  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
     pictures.study = draw_study(study->result, folder);
+    stages.end();
+  }
+  if (assessment && assessment->error_budget && assessment->error_budget->left_out.empty()) {
+    stages.begin("budget figure");
+    pictures.budget = draw_budget(*assessment->error_budget, folder);
     stages.end();
   }
   if (economy) {
@@ -128,7 +171,8 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
                                          picture_texts(context, run.loaded.spec.title), folder))
       pictures.figures.push_back(std::move(picture));
   }
-  const Document document = document_of(evaluate(run, stages, study, economy), pictures);
+  Document document = document_of(evaluate(run, stages, study, assessment, economy), pictures);
+  hold_against_earlier(document, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();

@@ -1,10 +1,12 @@
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
 #include "engine/integrate/integrate.h"
+#include "render/canvas.h"
 #include "render/frame_stream.h"
 #include "render/scene.h"
 #include "tests/engine/pendulum.h"
@@ -64,6 +66,35 @@ void encode(benchmark::State& state) {
 }
 BENCHMARK(encode)->Args({960, 540})->Args({1920, 1080})->Unit(benchmark::kMillisecond);
 
+/// Seconds that something takes: the least of some repeats.
+template <typename Work>
+double seconds(const Work& work) {
+  double least = 1e9;
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    const auto started = std::chrono::steady_clock::now();
+    work();
+    least =
+        std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count());
+  }
+  return least;
+}
+
+/// What part of the work of one frame, done piece by piece, is drawing, reading back and encoding, in
+/// percent.
+void count_shares(benchmark::State& state, const GlContext& context, SceneRenderer& scene) {
+  Image image = scene.frame(7);
+  const double whole = seconds([&] { scene.frame(7, image); });
+  Canvas canvas(context, image.width, image.height);
+  canvas.begin_flat(Color{0.5F, 0.5F, 0.5F, 1});
+  Image copy = canvas.read();
+  const double reading = seconds([&] { canvas.read_into(copy); });
+  const double encoding = seconds([&] { encode_png(image, {}, PngEffort::quick); });
+  const double percent = 100 / (whole + encoding);
+  state.counters["draw%"] = percent * (whole - reading);
+  state.counters["read%"] = percent * reading;
+  state.counters["encode%"] = percent * encoding;
+}
+
 /// Frames of half a second, drawn, encoded and on the disk.
 void frames_to_disk(benchmark::State& state) {
   const Trajectory trajectory = motion(4);
@@ -75,6 +106,7 @@ void frames_to_disk(benchmark::State& state) {
       std::filesystem::temp_directory_path() / ("plumb_frames_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   scene.frame(0);  // the driver compiles its shaders with the first picture
+  count_shares(state, context, scene);
   for (auto _ : state)
     stream_frames(scene, {0, scene.frame_count() - 1}, {}, PngEffort::quick,
                   [&](int k, const std::string& png) {

@@ -85,8 +85,8 @@ TEST(CaseFaults, AnUnknownKeyOrTableIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"[scene]", "[study.mesh]\nelements = [1, 2]\n[scene]",
        "case.toml:60:8: study.mesh: unknown table; known: work_precision…"},
       {"[scene]", "[sweep]\nelements = [1, 2]\n[scene]",
-       "case.toml:60:2: sweep: unknown table; known: parameters, title, cable, start, supports, loads, "
-       "method, time, probe, reference, figure, scene, study"},
+       "case.toml:60:2: sweep: unknown table; known: parameters, title, cable, start, supports, loads, run, "
+       "method, time, probe, reference, figure, scene, study, uncertainty, error_budget"},
   });
 }
 
@@ -129,7 +129,7 @@ TEST(CaseFaults, AMissingKeyIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:1:1: time: missing; required: a table [time]"},
       {"[cable]\n", "[cable_]\n", "case.toml:5:2: cable_: unknown table; did you mean \"cable\"?"},
       {"[method]\nname = \"generalized-alpha\"\nstep = 1e-3\nspectral_radius = 0.9\nnewton_iterations = 15\n",
-       "", "case.toml:1:1: method: missing; required: a table [method]"},
+       "", "case.toml:1:1: method: missing; required: a table [method], or a [[run]] that was computed"},
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/case_source.h"
+#include "tests/engine/given_case.h"
 #include "tests/engine/small_case.h"
 
 namespace plumb {
@@ -84,6 +85,16 @@ TEST(CaseFuzz, AChangedReferenceIsReadOrRefusedInOneLine) {
     CaseSource source = good;
     source.references[0].text = mutated(good.references[0].text, random);
     ASSERT_EQ(complaint(source), "") << source.references[0].text;
+  }
+}
+
+TEST(CaseFuzz, AChangedTableOfAGivenRunIsReadOrRefusedInOneLine) {
+  std::mt19937 random(4);
+  const std::string good = "t;X [mm];tip.y [m]\n0;\"1,5\";0\n0,5;2e0;-0,25\r\n1;3;-1\n";
+  ASSERT_EQ(refusal(given_case(good, "columns = { \"tip.x\" = \"X\" }")), "accepted");
+  for (int i = 0; i < 2000; ++i) {
+    const std::string changed = mutated(good, random);
+    ASSERT_EQ(complaint(given_case(changed, "columns = { \"tip.x\" = \"X\" }")), "") << changed;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -81,6 +82,42 @@ TEST(AxisTicks, LabelsTimesThePowerOfTenAreTheTicks) {
       const double shown = number(ticks.labels[i]) * std::pow(10.0, ticks.exponent);
       RC_ASSERT(std::abs(shown - ticks.major[i]) <= 1e-6 * ticks.step + 1e-12 * std::abs(ticks.major[i]));
     }
+  }));
+}
+
+TEST(AxisTicks, MissNoMultipleOfTheStepAndDivideItEvenly) {
+  EXPECT_TRUE(rc::check([] {
+    const AxisRange range = any_range();
+    const AxisTicks ticks = axis_ticks(range.lo, range.hi, room(*rc::gen::inRange(300, 2000)));
+    const double slack = 1e-6 * ticks.step;
+    RC_ASSERT(ticks.major.front() - ticks.step < range.lo + slack);
+    RC_ASSERT(ticks.major.back() + ticks.step > range.hi - slack);
+    for (std::size_t k = 1; k < ticks.major.size(); ++k)
+      RC_ASSERT(std::abs(ticks.major[k] - ticks.major[k - 1] - ticks.step) <= slack);
+    // Major and minor ones together have one step, a fourth or a fifth of the other.
+    std::vector<double> all = ticks.major;
+    all.insert(all.end(), ticks.minor.begin(), ticks.minor.end());
+    std::sort(all.begin(), all.end());
+    const double part = all[1] - all[0];
+    RC_ASSERT(std::abs(ticks.step / part - 4) < 1e-3 || std::abs(ticks.step / part - 5) < 1e-3);
+    for (std::size_t k = 1; k < all.size(); ++k)
+      RC_ASSERT(std::abs(all[k] - all[k - 1] - part) <= 1e-3 * part);
+    RC_ASSERT(all.front() - part < range.lo + slack);
+    RC_ASSERT(all.back() + part > range.hi - slack);
+  }));
+}
+
+// An axis of time begins at 0, whatever its length: microseconds or days.
+TEST(AxisTicks, OfTimeBeginAtZeroAndAreAllLabelledWhereThereIsRoom) {
+  EXPECT_TRUE(rc::check([] {
+    const double end = *rc::gen::inRange(100, 1000) * std::pow(10.0, *rc::gen::inRange(-9, 5));
+    const TickRoom space = room(*rc::gen::inRange(700, 2000));
+    const AxisTicks ticks = axis_ticks(0, end, space);
+    RC_ASSERT(ticks.major.front() == 0);
+    RC_ASSERT(ticks.labels.front().find_first_not_of("0.") == std::string::npos);
+    RC_ASSERT(ticks.major.size() >= 3U);
+    for (const std::string& label : ticks.labels) RC_ASSERT(!label.empty());
+    RC_ASSERT(ticks.major.back() <= end * (1 + 1e-8));
   }));
 }
 

@@ -28,6 +28,27 @@ TEST(ColorMap, IsViridisAsPublished) {
   }
 }
 
+TEST(DivergingMap, DarkensEvenlyAndAlikeToEitherSideOfNearWhite) {
+  const double middle = lightness(diverging_map_color(0.5));
+  EXPECT_GT(middle, 92);
+  for (int k = 0; k < 16; ++k) {
+    const double near = 0.5 * k / 16, far = 0.5 * (k + 1) / 16;
+    const double below = lightness(diverging_map_color(0.5 - far)),
+                 above = lightness(diverging_map_color(0.5 + far));
+    EXPECT_NEAR(below, above, 6) << k;
+    for (const double side : {-1.0, 1.0}) {
+      const double step = lightness(diverging_map_color(0.5 + side * near)) -
+                          lightness(diverging_map_color(0.5 + side * far));
+      EXPECT_GT(step, 0.5 * (middle - 30) / 16) << k;
+      EXPECT_LT(step, 1.6 * (middle - 30) / 16) << k;
+    }
+  }
+  EXPECT_GT(diverging_map_color(0).b, diverging_map_color(0).r + 0.2) << "blue";
+  EXPECT_GT(diverging_map_color(1).r, diverging_map_color(1).b + 0.2) << "red";
+  EXPECT_EQ(diverging_map_color(-3), diverging_map_color(0));
+  EXPECT_EQ(diverging_map_color(7), diverging_map_color(1));
+}
+
 TEST(ColorMap, GrowsLighterEvenly) {
   const double whole = lightness(map_color(1)) - lightness(map_color(0));
   EXPECT_GT(whole, 70);

@@ -118,6 +118,14 @@ class PlotRendererTest : public testing::Test {
   PlotRenderer renderer_{context_};
 };
 
+TEST_F(PlotRendererTest, TwentyRepeatsAreTheSameToThePixel) {
+  const Image first = renderer_.draw(over_time());
+  for (int repeat = 1; repeat < 20; ++repeat) {
+    const GlContext another;
+    ASSERT_EQ(PlotRenderer(another).draw(over_time()), first) << "repeat " << repeat;
+  }
+}
+
 TEST_F(PlotRendererTest, SamePlotGivesTheSamePixels) {
   const Image over = renderer_.draw(over_time());
   const Image path = renderer_.draw(tip_path());

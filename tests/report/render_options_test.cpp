@@ -65,6 +65,16 @@ TEST_F(RenderOptions, SizeIsThatOfTheFrames) {
   EXPECT_EQ(image.height, 50);
 }
 
+TEST_F(RenderOptions, KeysOfTheSceneCanBeSet) {
+  const auto corner = [&](const std::string& theme) {
+    const Ended ended = render({"-o", "-", "--frames", "0", "--set", "scene.theme=" + theme});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return static_cast<int>(decode_png(ended.out, theme).rgb.at(0));
+  };
+  EXPECT_GT(corner("light"), 200);
+  EXPECT_LT(corner("dark"), 60);
+}
+
 TEST_F(RenderOptions, BadOnesAreRefusedInOneLineAndNothingIsWritten) {
   for (const auto& [arguments, status] :
        std::vector<std::pair<std::vector<std::string>, int>>{{{"--frames", "11:12"}, 2},
@@ -76,6 +86,10 @@ TEST_F(RenderOptions, BadOnesAreRefusedInOneLineAndNothingIsWritten) {
                                                              {{"--size", "100x"}, 2},
                                                              {{"--size", "1x1"}, 3},
                                                              {{"--camera", "nowhere"}, 3},
+                                                             {{"--set", "cable.elements=8"}, 2},
+                                                             {{"--set", "scene"}, 2},
+                                                             {{"--set", "scene.theme=blue"}, 3},
+                                                             {{"--set", "scene.thme=dark"}, 3},
                                                              {{"--video", "a.avi"}, 2}}) {
     std::vector<std::string> all{"-o", "bad"};
     all.insert(all.end(), arguments.begin(), arguments.end());

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "engine/errors.h"
+#include "engine/input/given_table.h"
+#include "engine/input/place.h"
+#include "engine/output/hdf5.h"
+
+namespace plumb {
+namespace {
+
+/// Of a column, more than a report can use, and no more than 80 MB.
+constexpr hsize_t most_rows = 10'000'000;
+
+class Hdf5Table final : public GivenTable {
+ public:
+  explicit Hdf5Table(const NamedText& file) : GivenTable(file.name) {
+    try {
+      reader_.emplace(file.text);
+      for (const std::string& path : reader_->series())
+        columns_.push_back({path, reader_->unit(path), at(path)});
+    } catch (const std::runtime_error& error) {
+      fail(name_ + ": cannot be used", error.what());
+    }
+    if (columns_.empty()) fail(name_, "holds no data set of numbers of one dimension");
+  }
+
+  std::vector<std::string> usual_names(const std::string& column) const override {
+    if (column == "t") return {"t", "time"};
+    return {column, "probes/" + column};
+  }
+
+  std::vector<double> values(int column) const override {
+    const std::string& path = columns_[static_cast<std::size_t>(column)].name;
+    std::vector<double> values;
+    try {
+      values = reader_->series_values(path, most_rows);
+    } catch (const std::runtime_error& error) {
+      fail(at(path), error.what());
+    }
+    if (values.empty()) fail(at(path), "has no rows");
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (!std::isfinite(values[row]))
+        fail(place(column, row), fmt::format("{}: must be a finite number", values[row]));
+    return values;
+  }
+
+  std::string place(int column, std::size_t row) const override {
+    return fmt::format("{}[{}]", at(columns_[static_cast<std::size_t>(column)].name), row);
+  }
+
+ private:
+  [[noreturn]] static void fail(const std::string& place, const std::string& what) {
+    throw InputError(one_line(place + ": " + what));
+  }
+
+  std::string at(const std::string& path) const { return name_ + ": " + path; }
+
+  std::optional<hdf5::Reader> reader_;
+};
+
+}  // namespace
+
+std::unique_ptr<GivenTable> read_given_hdf5(const NamedText& file) {
+  return std::make_unique<Hdf5Table>(file);
+}
+
+}  // namespace plumb

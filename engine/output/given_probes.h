@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/input/given_run.h"
+#include "engine/output/run.h"
+
+namespace plumb {
+
+/// What a given run has of the probes' columns, at its own times.
+ProbeTable probe(const GivenRun& given);
+
+/// The same at other times (s) within its first and last, interpolated (TimeInterpolation). Throws
+/// std::out_of_range for a time outside.
+ProbeTable probe(const GivenRun& given, const std::vector<double>& times);
+
+/// The first given run of a case without [method] as the run that is reported: completed, with neither states
+/// nor energies nor counters.
+Run reported_run(LoadedCase loaded, Provenance provenance);
+
+}  // namespace plumb

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "report/document.h"
+#include "report/program/options.h"
+
+namespace plumb {
+
+/// The results.json of a path to it or to its folder, for --baseline. Throws InputError.
+Document find_document(const std::string& path);
+
+/// Adds what moved since earlier reports: with --baseline verdicts of regression, and always, under
+/// `last_run`, what changed from the report that lies in `folder` now, if one does that can be read. Throws
+/// InputError for a baseline that cannot be used.
+void hold_against_earlier(Document& document, const Options& options, const std::string& folder);
+
+}  // namespace plumb

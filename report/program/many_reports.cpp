@@ -1,0 +1,124 @@
+#include "report/program/many_reports.h"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "engine/errors.h"
+#include "engine/output/file_writing.h"
+#include "report/program/earlier_report.h"
+#include "report/program/verbs.h"
+#include "report/program/work.h"
+#include "report/run_index.h"
+
+namespace plumb {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* default_folder = "output";
+
+/// Draws the figures of an index and writes all of it. Files of the folder that are not of the index stay.
+ExitStatus write_index(const std::vector<IndexedReport>& reports, const std::string& folder,
+                       const Options& options, Talk& talk) {
+  const GlContext context;
+  const PngTexts texts = picture_texts(context, "index");
+  std::vector<Picture> pictures;
+  for (Picture& picture : drawn_figures(shared_figures(reports), context, texts)) {
+    std::error_code error;
+    fs::create_directories(fs::path(folder) / "figures", error);
+    write_file((fs::path(folder) / picture.file).string(), picture.png);
+    pictures.push_back(std::move(picture));
+  }
+  const Document index = index_of(reports, pictures);
+  const auto write = [&](const char* name, const std::string& text) {
+    write_file((fs::path(folder) / name).string(), text);
+  };
+  write("results.json", to_json(index));
+  write("junit.xml", index_junit(reports));
+  write("summary.md", index_summary(index));
+  write("index.html", index_page(index, pictures));
+  talk.line(index.at("headline").get<std::string>());
+  talk.line("index: " + (fs::path(folder) / "index.html").string());
+  if (options.json) write_to_standard_output(to_json(index));
+  ExitStatus worst = ExitStatus::done;
+  for (const IndexedReport& report : reports) worst = std::max(worst, status_of(report.document));
+  return worst;
+}
+
+/// Options for one of several cases, which says nothing on standard output.
+Options for_one(const Options& options, const std::string& input, const std::string& folder) {
+  Options one = options;
+  one.input = input;
+  one.inputs = {input};
+  one.output = folder;
+  one.json = false;
+  return one;
+}
+
+}  // namespace
+
+std::vector<std::string> matching_paths(const std::vector<std::string>& arguments) {
+  std::vector<std::string> paths;
+  for (const std::string& argument : arguments) {
+    std::error_code ignored;
+    if (argument.find_first_of("*?[") == std::string::npos || fs::exists(argument, ignored)) {
+      paths.push_back(argument);
+      continue;
+    }
+    glob_t found{};
+    const int result = ::glob(argument.c_str(), 0, nullptr, &found);
+    for (std::size_t i = 0; result == 0 && i < found.gl_pathc; ++i) paths.emplace_back(found.gl_pathv[i]);
+    ::globfree(&found);
+    if (result != 0) throw UsageError(argument + ": nothing matches it");
+  }
+  return paths;
+}
+
+ExitStatus run_many(const std::vector<std::string>& cases, const Options& options, Talk& talk) {
+  const std::string folder = options.output.empty() ? default_folder : options.output;
+  if (!options.baseline.empty())
+    throw UsageError("--baseline is for one case; with several, run each against its own");
+  std::map<std::string, std::string> names;
+  for (const std::string& path : cases) {
+    const auto [known, first] = names.emplace(fs::path(path).stem().string(), path);
+    if (!first)
+      throw UsageError(
+          fmt::format("{} and {} would both be written to {}/{}", known->second, path, folder, known->first));
+    load_case(path, options.overrides);
+  }
+  std::vector<IndexedReport> reports;
+  ExitStatus worst = ExitStatus::done;
+  for (const std::string& path : cases) {
+    const std::string name = fs::path(path).stem().string();
+    const std::string own = (fs::path(folder) / name).string();
+    worst = std::max(worst, run_one(for_one(options, path, own), talk));
+    // A start that is not finite leaves no report.
+    std::error_code ignored;
+    if (fs::exists(fs::path(own) / "results.json", ignored)) reports.push_back({name, find_document(own)});
+  }
+  return std::max(worst, write_index(reports, folder, options, talk));
+}
+
+ExitStatus index_many(const std::vector<std::string>& folders, const Options& options, Talk& talk) {
+  const std::string folder = options.output.empty() ? default_folder : options.output;
+  std::vector<IndexedReport> reports;
+  for (const std::string& path : folders) {
+    std::error_code ignored;
+    const fs::path own =
+        fs::is_regular_file(path, ignored) ? fs::absolute(path).parent_path() : fs::path(path);
+    const fs::path seen =
+        fs::absolute(own).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+    reports.push_back({seen.generic_string(), find_document((own / "results.json").string())});
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw OutputError(folder + ": " + error.message());
+  return write_index(reports, folder, options, talk);
+}
+
+}  // namespace plumb
