@@ -17,6 +17,7 @@
 #include "render/ground.h"
 #include "render/markup.h"
 #include "render/painter.h"
+#include "render/scene_camera.h"
 #include "render/shaders.h"
 #include "render/stage.h"
 #include "render/strand.h"
@@ -32,7 +33,6 @@ namespace {
 
 constexpr double trail_frames = 32;     // how many frames ago the trail has faded out, unless told
 constexpr int trail_pieces = 8;         // of the trail, a frame
-constexpr double thinnest = 1.0 / 150;  // radius as drawn, in cable lengths
 constexpr double support_reach = 5;     // of a support around the cable's end, in its radii
 constexpr double point_radius = 2.3;    // of a published point's ball, in the cable's radii
 constexpr double end_tolerance = 1e-6;  // of a frame: the last output may be short of it by rounding
@@ -45,10 +45,6 @@ constexpr int tile_samples =
 constexpr std::array<int, 2> mesh_components = {3, 3};
 constexpr std::array<int, 3> field_mesh_components = {3, 3, 1};
 constexpr std::array<int, 2> trail_components = {4, 1};
-
-double drawn_radius(const SceneSpec& spec, double length, double radius) {
-  return spec.cable_radius > 0 ? spec.cable_radius : std::max(radius, thinnest * length);
-}
 
 // Decimals that tell the times of frames apart.
 int decimals(double interval) {

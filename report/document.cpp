@@ -4,6 +4,7 @@
 #include "engine/study/budget_json.h"
 #include "engine/study/uncertainty_json.h"
 #include "report/case_json.h"
+#include "report/economy_section.h"
 #include "report/given_json.h"
 #include "report/panels_json.h"
 #include "report/study_json.h"
@@ -126,6 +127,7 @@ Document document_of(const Results& results, const Pictures& pictures) {
     json["work_precision"] = work_precision_json(results.study->result);
     json["study_figures"] = picture_json(pictures.study);
   }
+  if (results.economy) json["economy"] = economy_document(*results.economy, run.loaded.spec.scene);
   if (results.assessment && results.assessment->uncertainty)
     json["uncertainty"] = uncertainty_json(*results.assessment->uncertainty);
   if (results.assessment && results.assessment->error_budget) {

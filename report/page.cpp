@@ -7,6 +7,7 @@
 #include "report/budget_section.h"
 #include "report/changes_html.h"
 #include "report/conclusion.h"
+#include "report/economy_section.h"
 #include "report/given_html.h"
 #include "report/page_scripts.h"
 #include "report/page_tables.h"
@@ -64,6 +65,7 @@ std::string formulation_html(const Document& document) {
   const Document& cable = the_case.at("cable");
   const MethodInfo& method = method_of(the_case);
   data formulation;
+  formulation["rigid"] = cable.at("model") == word(CableModel::rigid);
   formulation["chain"] = cable.at("model") == word(CableModel::chain);
   formulation["green"] = cable.at("strain") == word(StrainModel::green_geometric);
   formulation["full"] = cable.at("quadrature") == word(QuadratureRule::full);
@@ -138,6 +140,7 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["formulation"] = formulation_html(document);
   page["case_rows"] = case_rows(document);
   set_case_and_provenance(page, document);
+  if (document.contains("economy")) page["economy"] = economy_section(document.at("economy"));
   page["has_uncertainty"] = document.contains("uncertainty");
   if (document.contains("uncertainty")) page["uncertainty"] = uncertainty_section(document.at("uncertainty"));
   page["has_budget"] = document.contains("error_budget");

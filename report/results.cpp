@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/economy_text.h"
 #include "report/verdict_uncertainty.h"
 
 namespace plumb {
@@ -89,16 +90,19 @@ std::string outcome_in_words(const Results& results) {
 
 }  // namespace
 
-Results evaluate(const Run& run, const Stages& stages, const Study* study, const Assessment* assessment) {
+Results evaluate(const Run& run, const Stages& stages, const Study* study, const Assessment* assessment,
+                 const Economy* economy) {
   Results results{run, series_errors(run), {}, stages, study};
   results.verdicts = verdicts(run, results.errors);
   results.assessment = assessment;
+  results.economy = economy;
   if (assessment && assessment->uncertainty)
     add_uncertainty(results.verdicts, results.errors, run.loaded.spec, *assessment->uncertainty);
   results.outcome = judged_outcome(run, own_verdicts(results));
   results.distances = given_distances(run);
   for (Verdict& verdict : distance_verdicts(run, results.distances))
     results.verdicts.push_back(std::move(verdict));
+  if (economy) results.verdicts.push_back(economy_verdict(*economy));
   return results;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/output/run.h"
 #include "engine/study/assessment.h"
+#include "engine/study/economy.h"
 #include "engine/study/study_file.h"
 #include "report/given_distance.h"
 #include "report/series_error.h"
@@ -20,13 +21,15 @@ inline constexpr int results_version = 1;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  std::vector<Verdict> verdicts;  ///< one for each of `errors`, and then those of `distances`
-  Stages stages;                  ///< those before the report itself
-  const Study* study = nullptr;   ///< the quick work-precision study made with the run, if any
+  /// One for each of `errors`, then those of `distances`, then that of the economy.
+  std::vector<Verdict> verdicts;
+  Stages stages;                 ///< those before the report itself
+  const Study* study = nullptr;  ///< the quick work-precision study made with the run, if any
   /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
   /// not met; else how the integration itself ended.
   Outcome outcome = Outcome::not_run;
   const Assessment* assessment = nullptr;  ///< what was computed of its uncertainty, if anything
+  const Economy* economy = nullptr;        ///< what the scene needs, where the run was left to it
 
   std::vector<GivenDistance> distances = {};  ///< of given runs to the one that is reported
 
@@ -34,9 +37,9 @@ struct Results {
 };
 
 /// Compares a run with its references. Where there is an assessment, the verdicts say the comparison error
-/// and its validation uncertainty.
+/// and its validation uncertainty; where the run was left to its scene, one says whether that holds.
 Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr,
-                 const Assessment* assessment = nullptr);
+                 const Assessment* assessment = nullptr, const Economy* economy = nullptr);
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);

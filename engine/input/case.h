@@ -21,6 +21,10 @@ enum class CableModel {
   /// Half of each link's mass at either end, straight links between that stretch only, ε = ½(λ² − 1) or λ − 1
   /// with λ the ratio of lengths. Slopes are no unknowns; those of outputs follow the neighbouring nodes.
   chain,
+  /// A rigid rod on a joint at its first end, which does not turn about its own axis: a spherical pendulum.
+  /// It
+  /// neither stretches nor bends; its nodes lie on a straight line.
+  rigid,
 };
 
 /// How strain and curvature are measured.
@@ -96,6 +100,10 @@ struct LoadsSpec {
 
   friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
 };
+
+/// The name of [method] that leaves model, mesh and method to what the scene needs. It is put in the place of
+/// a method before anything is integrated.
+inline constexpr std::string_view scene_method = "scene";
 
 /// A method by name with what it was given. Which of these a method takes is said by its MethodInfo.
 struct MethodSpec {
@@ -207,6 +215,7 @@ struct Case {
   std::optional<StabilitySpec> stability;
   std::vector<VariantSpec> variants;
   std::optional<SweepSpec> sweep;
+  std::optional<EconomySpec> economy;
   std::vector<GivenRunSpec> given_runs;
   std::optional<UncertaintySpec> uncertainty;
   std::optional<BudgetSpec> error_budget;

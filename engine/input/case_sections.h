@@ -64,6 +64,8 @@ std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std:
                                      const std::vector<ReferenceUse>& references);
 
 SceneSpec read_scene(TableReader table, const TimeSpec& time);
+/// A camera that is told where to stand.
+CameraSpec read_camera(TableReader table);
 
 /// [study.work_precision]; an empty table gives the defaults.
 WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable, const TimeSpec& time);
@@ -75,6 +77,10 @@ StabilitySpec read_stability(TableReader table, const std::map<std::string, doub
 /// [study.sweep]; an empty table gives the defaults.
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
 SweepSpec default_sweep(const CableSpec& cable);
+
+/// [study.economy]; an empty table gives the defaults.
+EconomySpec read_economy(TableReader table, const SceneSpec& scene);
+EconomySpec default_economy(const SceneSpec& scene);
 
 /// [[study.variant]]; the case of each is read by `with`, and refused where it is not valid.
 std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with);

@@ -22,6 +22,7 @@ template <>
 inline constexpr std::array words_of<CableModel>{
     Word<CableModel>{CableModel::cable, "cable"},
     Word<CableModel>{CableModel::chain, "chain"},
+    Word<CableModel>{CableModel::rigid, "rigid"},
 };
 
 template <>

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "engine/input/scene_spec.h"
 
 namespace plumb {
 
@@ -61,6 +64,17 @@ struct SweepSpec {
   double time_limit = 0;  ///< of one run, s, > 0
 
   friend bool operator==(const SweepSpec&, const SweepSpec&) = default;
+};
+
+/// [study.economy]: what scenes of several sizes need, and random ones, each proven by a reference.
+struct EconomySpec {
+  std::vector<int> widths;             ///< of the picture, pixels, rising; its shape is that of the scene
+  std::optional<CameraSpec> close_up;  ///< a second camera, beside that of the scene
+  int scenes = 0;                      ///< random ones, 0 to 100,000
+  long seed = 0;                       ///< ≥ 0; scene k depends on the seed and k alone
+  int reference_elements = 0;  ///< at least; the reference is twice as fine as what is held against it
+
+  friend bool operator==(const EconomySpec&, const EconomySpec&) = default;
 };
 
 }  // namespace plumb

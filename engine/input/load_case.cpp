@@ -8,6 +8,7 @@
 #include "engine/input/case_source.h"
 #include "engine/input/changed_case.h"
 #include "engine/input/method_keys.h"
+#include "engine/input/model_keys.h"
 #include "engine/input/override.h"
 #include "engine/input/parameters.h"
 #include "engine/input/table_reader.h"
@@ -35,6 +36,7 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
   const bool has_work_precision = study.has("work_precision");
   const bool has_stability = study.has("stability");
   const bool has_sweep = study.has("sweep");
+  const bool has_economy = study.has("economy");
   const std::vector<TableReader> variants = study.tables("variant");
   study.finish();
   if (has_work_precision)
@@ -42,6 +44,7 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
   if (has_stability)
     spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
   if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
+  if (has_economy) spec.economy = read_economy(study.table("economy"), spec.scene);
   spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
@@ -61,6 +64,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
 
   LoadedCase loaded;
   loaded.remarks = drop_overruled_keys(written, merged);
+  for (std::string& remark : drop_keys_of_other_models(merged)) loaded.remarks.push_back(std::move(remark));
   const Parameters parameters(merged.find("parameters"));
   TableReader root(merged, "", &parameters);
   root.has("parameters");
@@ -103,7 +107,9 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     spec.time = read_time(time);
     spec.method = read_method(method, spec.time);
   }
-  if (!given_only && !find_method(spec.method.name)->dynamic) {
+  if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
+  // The method of a given run is not known, nor yet the one that is left to the scene.
+  if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {
     const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);

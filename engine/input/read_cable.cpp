@@ -37,9 +37,13 @@ CableSpec read_cable(TableReader table, bool has_mesh) {
     for (const char* key : {"second_moment", "quadrature"})
       if (table.has(key)) table.refuse_value(key, "not a key of a chain, whose links only stretch");
   }
+  if (cable.model == CableModel::rigid) {
+    for (const char* key : {"second_moment", "quadrature", "strain"})
+      if (table.has(key)) table.refuse_value(key, "not a key of a rigid rod, which does not deform");
+  }
 
   const double circular = cable.area * cable.area / (4 * std::numbers::pi);
-  cable.second_moment = cable.model == CableModel::chain ? 0 : second_moment.value_or(circular);
+  cable.second_moment = cable.model != CableModel::cable ? 0 : second_moment.value_or(circular);
   check_product(table, cable.density * cable.area * cable.length, "density",
                 "the mass, density × area × length,");
   check_product(table, cable.youngs_modulus * cable.area, "youngs_modulus",

@@ -14,8 +14,16 @@ namespace {
 const MethodInfo* read_name(TableReader& table) {
   std::vector<std::string> names;
   for (const MethodInfo& info : method_infos()) names.push_back(info.name);
+  // Of the words that are allowed; it has been seen to before.
+  names.emplace_back(scene_method);
   const auto index = table.choice("name", names, false);
   return index ? &method_infos()[*index] : nullptr;
+}
+
+/// "scene", which chooses everything itself.
+bool is_left_to_the_scene(const TableReader& table) {
+  const TomlValue* name = table.value().find("name");
+  return name != nullptr && name->kind == TomlValue::Kind::string && name->string == scene_method;
 }
 
 /// A key of another method is not unknown, but out of place.
@@ -51,6 +59,16 @@ void check_step(const TableReader& table, double step, const TimeSpec& time) {
 MethodSpec read_method(TableReader table, const TimeSpec& time) {
   const Range tolerance{.low = 0, .high = 1, .low_open = true, .high_open = true};
   MethodSpec method;
+  if (is_left_to_the_scene(table)) {
+    table.has("name");
+    for (const TomlValue& item : table.value().items)
+      if (item.key != "name")
+        refuse(item.key_place, table.full_key(item.key), item.written,
+               "not a key of \"scene\", which chooses model, mesh, method and step itself");
+    method.name = scene_method;
+    table.finish();
+    return method;
+  }
   const MethodInfo* info = read_name(table);
   if (info == nullptr) {
     // Its other keys cannot be judged, but are not what is wrong.

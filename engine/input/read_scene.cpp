@@ -6,7 +6,6 @@
 #include "engine/input/case_sections.h"
 
 namespace plumb {
-namespace {
 
 CameraSpec read_camera(TableReader table) {
   CameraSpec camera;
@@ -30,8 +29,6 @@ CameraSpec read_camera(TableReader table) {
   if (!(sine > 1e-6)) table.refuse_value("up", "must not be parallel to the view, from eye to target");
   return camera;
 }
-
-}  // namespace
 
 SceneSpec read_scene(TableReader table, const TimeSpec& time) {
   constexpr int smallest = 16, largest = 32768;
@@ -57,6 +54,7 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time) {
   scene.color_by = table.choice<ColorField>("color_by", scene.color_by);
   scene.ghosts = table.whole("ghosts", 0, 50, scene.ghosts);
   scene.ghost_interval = table.number("ghost_interval", Range::positive("s"), scene.ghost_interval);
+  scene.tolerance = table.number("tolerance", Range::positive("pixels"), scene.tolerance);
   scene.trail = table.optional_number("trail", Range::at_least(0, "s"));
   table.finish();
 

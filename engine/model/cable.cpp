@@ -11,6 +11,7 @@ namespace plumb {
 
 Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
+      rigid_(spec.cable.model == CableModel::rigid),
       gravity_(spec.loads.gravity),
       end_force_(spec.loads.end_force),
       element_(spec.cable.youngs_modulus * spec.cable.area,

@@ -39,6 +39,8 @@ class Cable {
 
   /// The links, where the cable is modelled as a chain; else nothing.
   const std::optional<Chain>& chain() const { return chain_; }
+  /// True of a rigid rod, whose nodes stay on a straight line.
+  bool is_rigid() const { return rigid_; }
 
   const Element& element() const { return element_; }
   /// The same element for the kernels.
@@ -83,6 +85,7 @@ class Cable {
   Place place(double s) const;
 
   int elements_;
+  bool rigid_;
   Vec3 gravity_, end_force_;
   Element element_;
   ElementConstants constants_;

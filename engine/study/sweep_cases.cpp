@@ -5,41 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
-#include <random>
 
 #include "engine/integrate/method_info.h"
+#include "engine/study/random_draw.h"
 
 namespace plumb {
 namespace {
-
-/// Random numbers that are the same with every standard library, unlike those of its distributions.
-class Draw {
- public:
-  enum class Of : std::uint32_t { model = 1, method = 2 };
-
-  Draw(Of of, long seed, long number) {
-    const auto low = [](long x) { return static_cast<std::uint32_t>(x); };
-    const auto high = [](long x) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) >> 32U); };
-    std::seed_seq sequence{static_cast<std::uint32_t>(of), low(seed), high(seed), low(number), high(number)};
-    generator_.seed(sequence);
-  }
-
-  /// In [0, 1).
-  double share() { return static_cast<double>(generator_() >> 11U) * 0x1p-53; }
-  double uniform(double low, double high) { return low + share() * (high - low); }
-  double of_equal_ratio(double low, double high) { return low * std::pow(high / low, share()); }
-  bool coin() { return share() < 0.5; }
-  template <class List>
-  auto& one_of(const List& list) {
-    return list[std::min(list.size() - 1,
-                         static_cast<std::size_t>(share() * static_cast<double>(list.size())))];
-  }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 /// Short enough to be read, and the value that the case reader will have.
 std::string in_short(double value) {
@@ -61,7 +33,7 @@ double explicit_limit(const CableSpec& cable) {
   return 2 / std::max(axial, bending);
 }
 
-double drawn(Draw& draw, const MethodParameter& parameter) {
+double drawn(RandomDraw& draw, const MethodParameter& parameter) {
   constexpr double wide = 100;
   const bool ratio = parameter.minimum > 0 && parameter.maximum / parameter.minimum >= wide;
   double value = ratio             ? draw.of_equal_ratio(parameter.minimum, parameter.maximum)
@@ -88,7 +60,7 @@ std::vector<std::string> model_overrides(const Case& file_case, long seed, long 
   constexpr std::array strains{StrainModel::green_geometric, StrainModel::engineering_material};
   constexpr std::array rules{QuadratureRule::full, QuadratureRule::reduced};
   constexpr std::array rates{SlopeRates::rigid, SlopeRates::zero};
-  Draw draw(Draw::Of::model, seed, model);
+  RandomDraw draw(RandomDraw::Of::model, seed, model);
   const double end = draw.of_equal_ratio(shortest, longest);
   const std::string interval = fmt::format("{:.4g}", end / outputs);
   std::vector<std::string> result;
@@ -108,7 +80,7 @@ std::vector<std::string> model_overrides(const Case& file_case, long seed, long 
 
 std::vector<std::string> method_overrides(const Case& file_case, const Case& model, long seed, long number) {
   constexpr double below_limit = 20, loosest = 0.3, tightest = 1e-11;
-  Draw draw(Draw::Of::method, seed, number);
+  RandomDraw draw(RandomDraw::Of::method, seed, number);
   const MethodInfo& info = *draw.one_of(methods_in_time());
   std::vector<std::string> result{set("method.name", info.name)};
   bool fixed_step = info.takes_step && (!info.takes_tolerances || draw.coin());

@@ -38,6 +38,8 @@ struct Options {
   std::optional<double> density;       ///< of --density
   std::optional<double> numbers;       ///< of --numbers
   std::string baseline;                ///< of --baseline; empty: not given
+  bool economy = false;                ///< --economy
+  bool explain = false;                ///< --explain
   std::string from;                    ///< of --from; empty: not given
   bool accept = false;                 ///< --accept
   bool json = false;

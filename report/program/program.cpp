@@ -145,6 +145,12 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->add_option("--csv", options.csv,
                      "write the probes to FILE (- for standard output); then a folder only with -o")
         ->type_name("FILE");
+  if (verb.chooses) {
+    command->add_flag("--economy", options.economy,
+                      "model, mesh, method and step no better than the picture needs (scene.tolerance)");
+    command->add_flag("--explain", options.explain,
+                      "with --economy or method.name=scene: what was tried, what it costs, why it was left");
+  }
   if (verb.draws) add_drawing(*command, options);
   if (verb.compares) add_comparison(*command, options);
   command->add_flag("--json", options.json, "the result as JSON on standard output, talk on standard error");

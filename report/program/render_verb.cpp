@@ -54,8 +54,8 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
     video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
   note_renderer(run);
   write_run(run, folder);
-  for (const char* report_file :
-       {"index.html", "results.json", "junit.xml", "summary.md", "study.h5", "assessment.json"})
+  for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5",
+                                  "assessment.json", "choice.json"})
     folder.keep(report_file);
   const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, talk);
   if (video) {

@@ -1,5 +1,6 @@
 #include "engine/errors.h"
 #include "report/program/assessment_work.h"
+#include "report/program/economy_work.h"
 #include "report/program/from_document.h"
 #include "report/program/many_reports.h"
 #include "report/program/study_kinds.h"
@@ -36,7 +37,9 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   if (study) write_study(*study, folder);
   const Assessment assessment = assessment_beside(options.input, run);
   write_assessment(assessment, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment);
+  const std::optional<Economy> economy = choice_beside(options.input, run, folder);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment,
+                         economy ? &*economy : nullptr);
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include "report/program/assessment_work.h"
 #include "report/program/earlier_report.h"
+#include "report/program/economy_work.h"
 #include "report/program/many_reports.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
@@ -18,10 +19,20 @@ ExitStatus run_verb(const Options& options, Talk& talk) {
 ExitStatus run_one(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
-  const LoadedCase loaded = load(options, talk);
+  LoadedCase loaded = load(options, talk);
   // Before any work: a baseline that is not there would be found out too late.
   if (!options.baseline.empty()) find_document(options.baseline);
   OutputFolder folder(output_path(options, loaded));
+  std::optional<Economy> economy;
+  if (is_left_to_scene(loaded, options)) {
+    stages.begin("choosing");
+    SceneChoice choice = choose_for_scene(loaded, folder.path(), options, talk);
+    write_choice(choice, folder);
+    loaded = std::move(choice.loaded);
+    economy = std::move(choice.economy);
+  } else {
+    folder.keep("choice.json");
+  }
   stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
   Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
@@ -30,14 +41,16 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   note_renderer(run);
   write_run(run, folder);
   std::optional<Study> study;
-  if (loaded.spec.work_precision) {
+  // A rigid rod has no methods and meshes to compare.
+  if (loaded.spec.work_precision && loaded.spec.cable.model != CableModel::rigid) {
     stages.begin("study");
     study = quick_study(loaded, talk);
     write_study(*study, folder);
   }
   const Assessment assessment = assess(run, stages, talk);
   write_assessment(assessment, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment);
+  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment,
+                         economy ? &*economy : nullptr);
 }
 
 }  // namespace plumb

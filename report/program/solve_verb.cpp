@@ -3,6 +3,7 @@
 
 #include "engine/output/file_writing.h"
 #include "report/case_json.h"
+#include "report/program/economy_work.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -10,8 +11,9 @@
 namespace plumb {
 
 ExitStatus solve_verb(const Options& options, Talk& talk) {
-  const LoadedCase loaded = load(options, talk);
-  refuse_without_method(loaded);
+  const LoadedCase given = load(options, talk);
+  refuse_without_method(given);
+  const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, talk);
   std::optional<OutputFolder> folder;
   if (options.csv.empty() || !options.output.empty()) folder.emplace(output_path(options, loaded));
   const Run run = solve(loaded, talk);

@@ -10,6 +10,7 @@
 #include "engine/input/file_text.h"
 #include "engine/input/nearest.h"
 #include "engine/input/place.h"
+#include "engine/study/economy_study_json.h"
 #include "engine/study/stability_file.h"
 
 namespace plumb {
@@ -23,6 +24,8 @@ std::span<const StudyKind> study_kinds() {
       {"variants", "_variants", [](const Case& spec) { return !spec.variants.empty(); }, variants_study,
        variants_report},
       {"sweep", "_sweep", [](const Case& spec) { return spec.sweep.has_value(); }, sweep_study, sweep_report},
+      {economy_kind, "_economy", [](const Case& spec) { return spec.economy.has_value(); }, economy_study,
+       economy_report},
   };
   return all;
 }

@@ -58,6 +58,11 @@ ExitStatus variants_study(const LoadedCase& loaded, OutputFolder& folder, Stages
 ExitStatus variants_report(const std::string& json, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk);
 
+ExitStatus economy_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                         const Options& options, Talk& talk);
+ExitStatus economy_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                          const Options& options, Talk& talk);
+
 ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk);
 ExitStatus stability_report(const std::string& json, OutputFolder& folder, Stages& stages,

@@ -1,3 +1,6 @@
+#include "engine/errors.h"
+#include "engine/study/economy_study_json.h"
+#include "report/program/economy_work.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -7,9 +10,15 @@ namespace plumb {
 ExitStatus study_verb(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
-  const LoadedCase loaded = load(options, talk);
+  LoadedCase loaded = load(options, talk);
   refuse_without_method(loaded);
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
+  // What a scene needs is the question of that study, and the answer to start from for others.
+  if (loaded.spec.method.name == scene_method && kind.name != economy_kind)
+    loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, talk);
+  if (loaded.spec.cable.model == CableModel::rigid)
+    throw InputError(loaded.source.file.name +
+                     ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
   OutputFolder folder(options.output.empty() ? output_path(options, loaded) + kind.folder : options.output);
   return kind.study(loaded, folder, stages, options, talk);
 }

@@ -10,8 +10,10 @@
 #include "engine/output/file_writing.h"
 #include "engine/output/given_probes.h"
 #include "engine/output/run_file.h"
+#include "render/gl_context.h"
 #include "report/budget_pictures.h"
 #include "report/budget_section.h"
+#include "report/economy_figure.h"
 #include "report/given_json.h"
 #include "report/program/earlier_report.h"
 #include "report/report_files.h"
@@ -150,7 +152,8 @@ void say_stages(const Stages& stages, Talk& talk) {
 }
 
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study, const Assessment* assessment) {
+                           Talk& talk, const Study* study, const Assessment* assessment,
+                           const Economy* economy) {
   Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
@@ -162,7 +165,13 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
     pictures.budget = draw_budget(*assessment->error_budget, folder);
     stages.end();
   }
-  Document document = document_of(evaluate(run, stages, study, assessment), pictures);
+  if (economy) {
+    const GlContext context;
+    for (Picture& picture : draw_figures({economy_figure(*economy)}, context,
+                                         picture_texts(context, run.loaded.spec.title), folder))
+      pictures.figures.push_back(std::move(picture));
+  }
+  Document document = document_of(evaluate(run, stages, study, assessment, economy), pictures);
   hold_against_earlier(document, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);

@@ -55,7 +55,8 @@ Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optio
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study = nullptr, const Assessment* assessment = nullptr);
+                           Talk& talk, const Study* study = nullptr, const Assessment* assessment = nullptr,
+                           const Economy* economy = nullptr);
 
 /// `plumb run` of one case.
 ExitStatus run_one(const Options& options, Talk& talk);

@@ -1,0 +1,53 @@
+#include "engine/output/file_writing.h"
+#include "engine/study/economy_study_json.h"
+#include "engine/study/run_economy.h"
+#include "report/economy_gauge.h"
+#include "report/economy_results.h"
+#include "report/program/study_kinds.h"
+#include "report/program/work.h"
+
+namespace plumb {
+namespace {
+
+/// All that follows the study: verdicts and report, with the folder put in place and the findings said.
+ExitStatus report_on(const EconomyStudy& study, OutputFolder& folder, Stages& stages, const Options& options,
+                     Talk& talk) {
+  write_file(folder.file(study_json_name), encode_economy_study(study));
+  stages.begin("figures");
+  const std::vector<Picture> pictures = draw_economy(study, folder);
+  stages.end();
+  const EconomyResults results = evaluate_economy(study, stages);
+  stages.begin("report");
+  write_file(folder.file("index.html"), to_economy_page(results, pictures));
+  const std::string json = to_json(results);
+  write_file(folder.file("results.json"), json);
+  write_file(folder.file("junit.xml"), to_junit(results));
+  write_file(folder.file("summary.md"), to_summary(results));
+  folder.commit();
+  stages.end();
+  for (const std::string& line : need_lines(study)) talk.line(line);
+  say_verdicts(results.verdicts, talk);
+  talk.line(headline(results));
+  say_stages(stages, talk);
+  talk.line("report: " + folder.path() + "/index.html");
+  if (options.json) write_to_standard_output(json);
+  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+}  // namespace
+
+ExitStatus economy_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+                         const Options& options, Talk& talk) {
+  stages.begin("scenes");
+  const EconomyStudy study = run_economy(
+      loaded, gauge_maker, [&](const std::string& part, double share) { talk.progress(part, share); });
+  talk.end_progress();
+  return report_on(study, folder, stages, options, talk);
+}
+
+ExitStatus economy_report(const std::string& json, OutputFolder& folder, Stages& stages,
+                          const Options& options, Talk& talk) {
+  return report_on(decode_economy_study(json, study_json_name), folder, stages, options, talk);
+}
+
+}  // namespace plumb
