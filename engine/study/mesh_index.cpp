@@ -26,6 +26,10 @@ std::vector<double> greatest_changes(const std::vector<double>& a, const std::ve
 
 }  // namespace
 
+double counted_order(double order) {
+  return std::clamp(order, least_mesh_order, mesh_order);
+}
+
 MeshIndex mesh_index(const std::vector<double>& fine, const std::vector<double>& medium,
                      const std::vector<double>& coarse, OfThree of) {
   const std::vector<double> change21 = greatest_changes(fine, medium);
@@ -37,7 +41,7 @@ MeshIndex mesh_index(const std::vector<double>& fine, const std::vector<double>&
   constexpr double least_order = 1, slack = 0.5;
   const bool near = result.order >= least_order && result.order <= mesh_order + slack;
   result.safety_factor = near ? certain_factor : uncertain_factor;
-  const double growth = std::pow(mesh_ratio, std::min(result.order, mesh_order));
+  const double growth = std::pow(mesh_ratio, counted_order(result.order));
   for (std::size_t k = 0; k < fine.size(); ++k) {
     const double error =
         of == OfThree::finest ? change21[k] / (growth - 1) : change32[k] * growth / (growth - 1);

@@ -18,6 +18,12 @@ struct MeshIndex {
 /// The order that cubic elements have, and the greatest that the index is made with: one that is observed to
 /// be higher is so by chance.
 inline constexpr double mesh_order = 4;
+/// The least order that the index is made with: below it the formula blows up and says nothing (Oberkampf and
+/// Roy 2010, Verification and Validation in Scientific Computing, chapter 8).
+inline constexpr double least_mesh_order = 0.5;
+
+/// The order that the index is made with where `order` is observed.
+double counted_order(double order);
 
 /// The grid convergence index (ASME V&V 20-2009, section 2-4; Roache 1994, J. Fluids Eng. 116, 405) over time
 /// of one column on three meshes, each with half the elements of the one before:

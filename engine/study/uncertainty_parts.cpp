@@ -62,7 +62,9 @@ UncertaintyPart mesh_part(const ThreeMeshes& meshes, const std::array<ColumnValu
               fmt::format("grid convergence index of the {} of {}: order {:.2f} of the greatest changes{}, "
                           "safety factor {:g}; at each time of the greatest change up to then; {}",
                           meshes.of == OfThree::finest ? "finest" : "coarsest", of, index.order,
-                          index.order > mesh_order ? fmt::format(", counted as {:g}", mesh_order) : "",
+                          counted_order(index.order) != index.order
+                              ? fmt::format(", counted as {:g}", counted_order(index.order))
+                              : "",
                           index.safety_factor, index_words),
               standard(index.values));
 }

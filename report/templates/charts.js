@@ -17,7 +17,11 @@
 
   const known = (value) => value !== null && value !== undefined;
   const exact = (value) => (known(value) ? String(value).replace("-", "−") : "not finite");
-  const short = (value) => String(Number(value.toPrecision(4))).replace(/-/g, "−");
+  // Small numbers have few digits, so that they keep to the width of an axis.
+  const short = (value) => {
+    const small = value !== 0 && Math.abs(value) < 1e-3;
+    return (small ? String(Number(value.toPrecision(2))) : String(Number(value.toPrecision(4)))).replace(/-/g, "−");
+  };
   const nearest = (values, value) => {
     let best = -1;
     values.forEach((v, k) => {

@@ -57,14 +57,29 @@
     }
   };
 
+  // The head of each column: of a head of two rows the lower one, or that of both.
+  const columnHeads = (table) => {
+    const grid = [];
+    [...table.tHead.rows].forEach((row, r) => {
+      grid[r] = grid[r] || [];
+      for (const cell of row.cells) {
+        let c = 0;
+        while (grid[r][c]) c += 1;
+        for (let down = 0; down < cell.rowSpan; down += 1)
+          for (let right = 0; right < cell.colSpan; right += 1) (grid[r + down] = grid[r + down] || [])[c + right] = cell;
+      }
+    });
+    return grid[grid.length - 1];
+  };
+
   for (const table of document.querySelectorAll("table")) {
     const holder = table.closest(".scroll") || table;
     const heading = [...document.querySelectorAll("h2, h3, h4")].filter((h) => h.compareDocumentPosition(table) & Node.DOCUMENT_POSITION_FOLLOWING).pop();
     const name = heading ? heading.firstChild.textContent.trim() : "table";
     if (table.tHead && table.tBodies.length && table.tBodies[0].rows.length > 1) {
-      const heads = [...table.tHead.rows[0].cells];
+      const heads = columnHeads(table);
       heads.forEach((head, column) => {
-        const label = head.textContent;
+        const label = head.innerText.replace(/\s+/g, " ");
         head.setAttribute("aria-sort", "none");
         head.replaceChildren(button(label, () => sort(table, heads, column), { className: "sort" }));
       });

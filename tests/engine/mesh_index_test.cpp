@@ -46,6 +46,14 @@ TEST(MeshIndex, AnOrderThatIsTooHighIsNotTrusted) {
   EXPECT_NEAR(index.values.back(), 3 * change / (std::pow(2, 4) - 1), 1e-12) << "made with order 4";
 }
 
+TEST(MeshIndex, AnOrderThatIsTooLowDoesNotBlowItUp) {
+  const MeshIndex index = mesh_index(made(0.25, 0.1), made(0.5, 0.1), made(1, 0.1), OfThree::finest);
+  EXPECT_NEAR(index.order, 0.1, 1e-6);
+  EXPECT_EQ(index.safety_factor, 3);
+  const double change = 0.3 * 2 * (std::pow(0.5, 0.1) - std::pow(0.25, 0.1));
+  EXPECT_NEAR(index.values.back(), 3 * change / (std::sqrt(2) - 1), 1e-12) << "made with order 1/2";
+}
+
 TEST(MeshIndex, NothingIsKnownWhereChangesDoNotFall) {
   const std::vector<double> zero(5, 0.0), one(5, 1.0), two(5, 2.0), half(5, 0.5);
   for (const auto& [fine, medium, coarse] : {std::tuple(zero, one, two), std::tuple(zero, two, half)}) {
