@@ -79,7 +79,8 @@
     if (table.tHead && table.tBodies.length && table.tBodies[0].rows.length > 1) {
       const heads = columnHeads(table);
       heads.forEach((head, column) => {
-        const label = head.innerText.replace(/\s+/g, " ");
+        // A break between words is a space once they are the label of a button.
+        const label = [...head.childNodes].map((node) => (node.nodeName === "BR" ? " " : node.textContent)).join("");
         head.setAttribute("aria-sort", "none");
         head.replaceChildren(button(label, () => sort(table, heads, column), { className: "sort" }));
       });
