@@ -1,11 +1,15 @@
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "report/regression.h"
+#include "tests/report/made_run.h"
 #include "tests/report/program.h"
 
 namespace plumb {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 std::string small_case() {
   return std::string(PLUMB_SOURCE_DIR) + "/tests/data/small_case.toml";
@@ -21,6 +25,72 @@ Json verdict_named(const Json& results, const std::string& name) {
   return {};
 }
 
+Document document_with(double moved) {
+  plumb::Run run = run_with("a");
+  for (Eigen::VectorXd& q : run.trajectory.q) q.array() += moved;
+  run.probes = probe(run.loaded.spec, run.trajectory);
+  return document_of(evaluate(run, {}), {});
+}
+
+TEST(Regression, ARunThatIsRepeatedDoesNotMove) {
+  Document document = document_with(0);
+  hold_against_baseline(document, document_with(0), "first", default_regression_share);
+  long regressions = 0;
+  for (const Json& verdict : document.at("verdicts")) {
+    if (verdict.at("kind") != "regression") continue;
+    ++regressions;
+    EXPECT_EQ(verdict.at("status"), "passed") << verdict;
+    EXPECT_EQ(verdict.at("value"), 0) << verdict;
+  }
+  EXPECT_EQ(regressions, 4) << "that of the verdicts, and one a column";
+  EXPECT_TRUE(document.at("baseline").at("changes").empty()) << document.at("baseline").at("changes");
+}
+
+TEST(Regression, MayMoveByTheShareThatIsGivenAndNoMore) {
+  const Document before = document_with(0), now = document_with(1e-3);
+  const auto passes = [&](double share) {
+    Document document = now;
+    hold_against_baseline(document, before, "first", share);
+    return verdict_named(document, "baseline: tip.x").at("status") == "passed";
+  };
+  double largest = 0;
+  for (const Json& value : before.at("probes").at("tip.x").at("values"))
+    largest = std::max(largest, std::abs(value.get<double>()));
+  EXPECT_TRUE(passes(1.001e-3 / largest)) << largest;
+  EXPECT_FALSE(passes(0.999e-3 / largest)) << largest;
+}
+
+TEST(Regression, OtherOutputTimesAreNotCompared) {
+  const Document before = document_with(0);
+  Document document = before;
+  document["probes"]["t"]["values"][0] = 0.001;
+  hold_against_baseline(document, before, "first", default_regression_share);
+  const Json verdict = verdict_named(document, "baseline: tip.x");
+  EXPECT_EQ(verdict.at("status"), "not run") << verdict;
+  EXPECT_NE(verdict.at("message").get<std::string>().find("other output times"), std::string::npos)
+      << verdict;
+  EXPECT_FALSE(document.at("all_criteria_met"));
+}
+
+TEST(Regression, NeverChangesTheOutcome) {
+  Document document = document_with(1e-3);
+  const std::string outcome = document.at("outcome");
+  hold_against_baseline(document, document_with(0), "first", default_regression_share);
+  EXPECT_EQ(document.at("outcome"), outcome);
+  EXPECT_FALSE(document.at("all_criteria_met"));
+}
+
+TEST(Regression, AVerdictThatPassesNoLongerIsNamed) {
+  const Document before = document_with(0);
+  Document document = before;
+  document["verdicts"][0]["status"] = "failed";
+  hold_against_baseline(document, before, "first", default_regression_share);
+  const Json verdict = verdict_named(document, "baseline: verdicts");
+  EXPECT_EQ(verdict.at("value"), 1) << verdict;
+  EXPECT_NE(verdict.at("message").get<std::string>().find(before["verdicts"][0]["name"]), std::string::npos)
+      << verdict;
+}
+
 class Baseline : public ::testing::Test {
  protected:
   Ended run(const std::string& into, const std::vector<std::string>& more = {}) {
@@ -31,20 +101,6 @@ class Baseline : public ::testing::Test {
 
   TemporaryFolder folder_;
 };
-
-TEST_F(Baseline, RunThatIsRepeatedDoesNotMove) {
-  run("first");
-  run("again", {"--baseline", "first"});
-  const Json results = results_in(folder_ / "again");
-  for (const char* name : {"baseline: verdicts", "baseline: mid.x", "baseline: pull"}) {
-    const Json verdict = verdict_named(results, name);
-    ASSERT_FALSE(verdict.is_null()) << name;
-    EXPECT_EQ(verdict.at("kind"), "regression");
-    EXPECT_EQ(verdict.at("status"), "passed") << verdict;
-    EXPECT_EQ(verdict.at("value"), 0) << verdict;
-  }
-  EXPECT_TRUE(results.at("baseline").at("changes").empty()) << results.at("baseline").at("changes");
-}
 
 TEST_F(Baseline, RunThatMovedFailsWithHowFar) {
   run("first");
@@ -62,29 +118,6 @@ TEST_F(Baseline, RunThatMovedFailsWithHowFar) {
   EXPECT_TRUE(told) << results.at("baseline").at("changes");
   EXPECT_NE(read_text(folder_ / "moved/junit.xml").find("<testsuite name=\"regression\""), std::string::npos);
   EXPECT_NE(read_text(folder_ / "moved/index.html").find("What changed"), std::string::npos);
-}
-
-TEST_F(Baseline, WhatMayMoveCanBeSaid) {
-  run("first");
-  run("moved", {"--baseline", "first", "--numbers", "0.1", "--set", "loads.gravity=[0,-9.8,0]"});
-  EXPECT_EQ(verdict_named(results_in(folder_ / "moved"), "baseline: mid.y").at("status"), "passed");
-}
-
-TEST_F(Baseline, OtherOutputTimesAreNotCompared) {
-  run("first");
-  const Ended ended = run("other", {"--baseline", "first", "--set", "time.output_interval=0.05"});
-  EXPECT_EQ(ended.status, 1);
-  const Json verdict = verdict_named(results_in(folder_ / "other"), "baseline: mid.y");
-  EXPECT_EQ(verdict.at("status"), "not run") << verdict;
-  EXPECT_NE(verdict.at("message").get<std::string>().find("other output times"), std::string::npos)
-      << verdict;
-}
-
-TEST_F(Baseline, RegressionNeverChangesTheOutcome) {
-  run("first");
-  const std::string outcome = results_in(folder_ / "first").at("outcome");
-  run("moved", {"--baseline", "first", "--set", "loads.gravity=[0,-9.8,0]"});
-  EXPECT_EQ(results_in(folder_ / "moved").at("outcome"), outcome);
 }
 
 TEST_F(Baseline, IsRefusedBeforeAnyWork) {
