@@ -54,6 +54,13 @@ std::string run_in_words(const Case& spec) {
                                  : "the run with " + counted(spec.cable.elements, "element", "elements");
 }
 
+/// Whether the run holds for its scene, where it was left to that.
+std::string scene_in_words(const Results& results) {
+  if (!results.economy) return "";
+  const Verdict verdict = economy_verdict(*results.economy);
+  return fmt::format(" Picture error: {}, {}.", word(verdict.status), verdict.message);
+}
+
 /// What became of the given runs beside the one that is reported, a sentence each.
 std::string given_in_words(const Results& results) {
   const Case& spec = results.run.loaded.spec;
@@ -163,7 +170,7 @@ std::string headline(const Results& results) {
         worst->times.size(), run.loaded.references[r].times.size());
   }
   if (!distances.empty()) text += fmt::format(": {} is at most{}", run_in_words(run.loaded.spec), distances);
-  return text + "." + given_in_words(results);
+  return text + "." + given_in_words(results) + scene_in_words(results);
 }
 
 }  // namespace plumb

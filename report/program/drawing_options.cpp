@@ -8,6 +8,7 @@
 
 #include "engine/errors.h"
 #include "report/program/work.h"
+#include "report/reference_points.h"
 
 namespace plumb {
 namespace {

@@ -8,7 +8,7 @@
 #include "report/program/options.h"
 #include "report/program/talk.h"
 #include "report/scene_of_run.h"
-#include "report/scene_of_runs.h"
+#include "report/other_runs.h"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "report/scene_of_runs.h"
+#include "report/other_runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "engine/output/run_file.h"
 #include "render/motion.h"
 #include "render/png.h"
+#include "report/reference_points.h"
 #include "tests/report/program.h"
 
 namespace plumb {
