@@ -12,6 +12,7 @@
 #include "engine/study/economy_ladder.h"
 #include "report/economy_gauge.h"
 #include "report/economy_text.h"
+#include "report/program/work.h"
 
 namespace plumb {
 namespace {
@@ -48,6 +49,7 @@ bool is_left_to_scene(const LoadedCase& loaded, const Options& options) {
   const bool left = options.economy || loaded.spec.method.name == scene_method;
   if (options.explain && !left)
     throw UsageError("--explain is for --economy, or a case with method.name = \"scene\"");
+  if (left) refuse_without_method(loaded);
   return left;
 }
 

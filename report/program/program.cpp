@@ -106,15 +106,18 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
             "or compared")
         ->type_name("FILE");
   if (verb.takes_baseline) {
-    command
-        ->add_option("--baseline", options.baseline,
-                     "an earlier output folder, or its results.json: what moved since is a criterion not met")
-        ->type_name("DIR");
+    CLI::Option* baseline =
+        command
+            ->add_option(
+                "--baseline", options.baseline,
+                "an earlier output folder, or its results.json: what moved since is a criterion not met")
+            ->type_name("DIR");
     command
         ->add_option("--numbers", options.numbers,
                      "what a column may move by since the baseline, relative to its largest; default 1e-9")
         ->type_name("SHARE")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::NonNegativeNumber)
+        ->needs(baseline);
   }
   if (verb.takes_kind)
     command

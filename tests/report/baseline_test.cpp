@@ -129,6 +129,7 @@ TEST_F(Baseline, IsRefusedBeforeAnyWork) {
     EXPECT_FALSE(fs::exists(folder_ / "new"));
   };
   refused("nowhere", "No such file");
+  EXPECT_EQ(run("new", {"--numbers", "1e-3"}).status, 2) << "it is the share of a baseline";
   write_text(folder_ / "text.json", "no JSON");
   refused("text.json", "not JSON");
   write_text(folder_ / "later.json", R"({"schema_version": 99})");

@@ -82,6 +82,11 @@ TEST(EconomyProgram, WhatCannotBeLeftToTheSceneIsRefused) {
   expect_one_line(ended.err);
   EXPECT_FALSE(fs::exists(folder / "output/chain"));
   write_text(folder / "rod.toml", rod());
+  const Ended given =
+      plumb_in(folder.path(), {"run", case_path("bring_your_own.toml"), "--economy", "-o", "given"});
+  EXPECT_EQ(given.status, 2) << given.err;
+  EXPECT_NE(given.err.find("has no [method]"), std::string::npos) << given.err;
+  EXPECT_FALSE(fs::exists(folder / "given"));
   const Ended alone = plumb_in(folder.path(), {"run", "rod.toml", "--explain", "--set", "method.name=rk4",
                                                "--set", "method.step=1e-4"});
   EXPECT_EQ(alone.status, 2) << alone.err;
