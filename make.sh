@@ -35,7 +35,7 @@ install_missing_packages() {
   mkdir -p build
   local log=build/packages.log
   echo "make.sh: installing ${missing[*]}"
-  echo "make.sh: with all they need this can be 300 MB and take some minutes; what apt-get says is in $log"
+  echo "make.sh: with all they need this can be 450 MB and take some minutes; what apt-get says is in $log"
   if ! {
     ${as_root[@]+"${as_root[@]}"} apt-get update &&
       ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
