@@ -5,10 +5,10 @@
 
 #include "engine/input/case_source.h"
 #include "render/frame_stream.h"
+#include "report/other_runs.h"
 #include "report/program/options.h"
 #include "report/program/talk.h"
 #include "report/scene_of_run.h"
-#include "report/other_runs.h"
 
 namespace plumb {
 
