@@ -9,6 +9,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
+#include "engine/study/case_source_json.h"
 #include "engine/study/economy_json.h"
 #include "engine/study/run_economy.h"
 
@@ -23,23 +24,6 @@ double number(const Json& json) {
 
 std::string line(const Json& json) {
   return one_line(json.get<std::string>());
-}
-
-Json source_json(const CaseSource& source) {
-  Json json{{"name", source.file.name},
-            {"text", source.file.text},
-            {"overrides", source.overrides},
-            {"references", Json::array()}};
-  for (const NamedText& reference : source.references)
-    json["references"].push_back({{"name", reference.name}, {"text", reference.text}});
-  return json;
-}
-
-CaseSource source_of(const Json& json) {
-  CaseSource source{{json.at("name"), json.at("text")}, json.at("overrides"), {}};
-  for (const Json& reference : json.at("references"))
-    source.references.push_back({reference.at("name"), reference.at("text")});
-  return source;
 }
 
 Json need_json(const SceneNeed& need) {
@@ -83,7 +67,7 @@ EconomyStudy read(const std::string& text) {
     throw std::runtime_error(
         fmt::format("its version is {}, this program reads {}", version, economy_study_version));
   EconomyStudy study;
-  study.loaded = load_case(source_of(json.at("case")));
+  study.loaded = load_case(case_source_from_json(json.at("case")));
   study.spec = economy_study_of(study.loaded.spec);
   study.reference = line(json.at("reference"));
   study.safe_seconds = number(json.at("safe_seconds"));
@@ -110,7 +94,7 @@ std::string encode_economy_study(const EconomyStudy& study) {
   Json json{{"kind", economy_kind},
             {"version", economy_study_version},
             {"title", study.loaded.spec.title},
-            {"case", source_json(study.loaded.source)},
+            {"case", case_source_to_json(study.loaded.source)},
             {"reference", study.reference},
             {"safe_seconds", study.safe_seconds},
             {"safe_end", study.safe_end},

@@ -6,6 +6,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
+#include "engine/study/case_source_json.h"
 #include "engine/study/stability_json.h"
 
 namespace plumb {
@@ -15,32 +16,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr long version = 1;
 
-Json text_json(const NamedText& text) {
-  return {{"name", text.name}, {"text", text.text}};
-}
-
-NamedText text_of(const Json& json) {
-  return {json.at("name").get<std::string>(), json.at("text").get<std::string>()};
-}
-
-Json source_json(const CaseSource& source) {
-  Json json{{"file", text_json(source.file)}, {"overrides", source.overrides}, {"references", Json::array()}};
-  for (const NamedText& reference : source.references) json["references"].push_back(text_json(reference));
-  return json;
-}
-
-CaseSource source_of(const Json& json) {
-  CaseSource source{text_of(json.at("file")), json.at("overrides").get<std::vector<std::string>>(), {}};
-  for (const Json& reference : json.at("references")) source.references.push_back(text_of(reference));
-  return source;
-}
-
 StabilityStudyFile study_of(const Json& json) {
   if (json.at("kind") != stability_kind) throw std::runtime_error("it is no stability study");
   if (json.at("version").get<long>() > version)
     throw std::runtime_error(fmt::format("its version {} is beyond what this program reads, {}",
                                          json.at("version").get<long>(), version));
-  return {load_case(source_of(json.at("case"))), stability_from_json(json.at("result"))};
+  return {load_case(case_source_from_json(json.at("case"))), stability_from_json(json.at("result"))};
 }
 
 }  // namespace
@@ -48,7 +29,7 @@ StabilityStudyFile study_of(const Json& json) {
 std::string encode_stability(const StabilityStudyFile& study) {
   const Json json{{"kind", stability_kind},
                   {"version", version},
-                  {"case", source_json(study.loaded.source)},
+                  {"case", case_source_to_json(study.loaded.source)},
                   {"result", stability_to_json(study.result)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

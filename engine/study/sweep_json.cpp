@@ -10,6 +10,7 @@
 #include "engine/errors.h"
 #include "engine/input/place.h"
 #include "engine/output/stored_parts.h"
+#include "engine/study/case_source_json.h"
 
 namespace plumb {
 namespace {
@@ -25,23 +26,6 @@ double number_of(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
 
-Json source_json(const CaseSource& source) {
-  Json json{{"name", source.file.name},
-            {"text", source.file.text},
-            {"overrides", source.overrides},
-            {"references", Json::array()}};
-  for (const NamedText& reference : source.references)
-    json["references"].push_back({{"name", reference.name}, {"text", reference.text}});
-  return json;
-}
-
-CaseSource source_of(const Json& json) {
-  CaseSource source{{json.at("name"), json.at("text")}, json.at("overrides"), {}};
-  for (const Json& reference : json.at("references"))
-    source.references.push_back({reference.at("name"), reference.at("text")});
-  return source;
-}
-
 Sweep read(const std::string& text) {
   const Json json = Json::parse(text);
   if (json.at("kind") != "sweep") throw std::runtime_error("it is no sweep");
@@ -49,7 +33,7 @@ Sweep read(const std::string& text) {
     throw std::runtime_error(
         fmt::format("its version is {}, this program reads up to {}", version, sweep_version));
   Sweep sweep;
-  sweep.loaded = load_case(source_of(json.at("case")));
+  sweep.loaded = load_case(case_source_from_json(json.at("case")));
   sweep.spec = {json.at("cases"), json.at("seed"), json.at("tolerance"), json.at("time_limit")};
   if (!(sweep.spec.tolerance > 0)) throw std::runtime_error("its tolerance is not greater than 0");
   for (const Json& run : json.at("runs")) sweep.runs.push_back(sweep_run_of(run));
@@ -105,7 +89,7 @@ std::string encode_sweep(const Sweep& sweep) {
             {"seed", sweep.spec.seed},
             {"tolerance", sweep.spec.tolerance},
             {"time_limit", sweep.spec.time_limit},
-            {"case", source_json(sweep.loaded.source)},
+            {"case", case_source_to_json(sweep.loaded.source)},
             {"provenance", Json::object()},
             {"runs", Json::array()}};
   for (const auto& [name, value] : sweep.provenance) json["provenance"][name] = value;

@@ -9,6 +9,7 @@
 #include "engine/errors.h"
 #include "engine/input/place.h"
 #include "engine/output/stored_parts.h"
+#include "engine/study/case_source_json.h"
 
 namespace plumb {
 namespace {
@@ -23,10 +24,6 @@ constexpr EnergyPart energy_parts[] = {{"kinetic", &Energies::kinetic},
                                        {"axial", &Energies::axial},
                                        {"bending", &Energies::bending},
                                        {"potential", &Energies::potential}};
-
-Json text_json(const NamedText& text) {
-  return {{"name", text.name}, {"text", text.text}};
-}
 
 Json variant_json(const VariantResult& variant) {
   const Trajectory& t = variant.trajectory;
@@ -65,16 +62,6 @@ std::vector<double> numbers(const Json& json, std::size_t count, const char* wha
   if (!json.is_array() || values.size() != count)
     throw std::runtime_error(fmt::format("its {} are not one an output", what));
   return values;
-}
-
-NamedText text_of(const Json& json) {
-  return {json.at("name").get<std::string>(), json.at("text").get<std::string>()};
-}
-
-CaseSource source_of(const Json& json) {
-  CaseSource source{text_of(json.at("file")), json.at("overrides").get<std::vector<std::string>>(), {}};
-  for (const Json& reference : json.at("references")) source.references.push_back(text_of(reference));
-  return source;
 }
 
 VariantResult variant_of(const Json& json, const VariantSpec& spec, const CaseSource& source) {
@@ -120,7 +107,7 @@ VariantsStudy study_of(const Json& json) {
   if (const int version = json.at("version").get<int>(); version < 1 || version > variants_file_version)
     throw std::runtime_error(
         fmt::format("its version is {}, this program reads up to {}", version, variants_file_version));
-  VariantsStudy study{load_case(source_of(json.at("case"))), {}};
+  VariantsStudy study{load_case(case_source_from_json(json.at("case"))), {}};
   study.result.title = study.loaded.spec.title;
   const std::vector<VariantSpec>& specs = study.loaded.spec.variants;
   const Json& variants = json.at("variants");
@@ -135,12 +122,8 @@ VariantsStudy study_of(const Json& json) {
 }  // namespace
 
 std::string encode_variants(const VariantsStudy& study) {
-  const CaseSource& source = study.loaded.source;
   Json json{{"kind", "variants"}, {"version", variants_file_version}};
-  json["case"] = {
-      {"file", text_json(source.file)}, {"overrides", source.overrides}, {"references", Json::array()}};
-  for (const NamedText& reference : source.references)
-    json["case"]["references"].push_back(text_json(reference));
+  json["case"] = case_source_to_json(study.loaded.source);
   json["variants"] = Json::array();
   for (const VariantResult& variant : study.result.variants)
     json["variants"].push_back(variant_json(variant));

@@ -199,5 +199,20 @@ TEST(BringYourOwn, ARunFileOfPlumbsIsAGivenRunAsItIs) {
   EXPECT_EQ(Json::parse(again.out)["given_runs"], json["given_runs"]) << "a run file within a run file";
 }
 
+TEST(GivenRunInAStudy, IsReportedAgainWhereItsFileIsGone) {
+  const TemporaryFolder folder;
+  for (const char* name : {"bring_your_own.toml", "bring_your_own.csv", "references/pendulum_published.toml",
+                           "references/pendulum_converged.toml"})
+    write_text(folder / name, read_text(case_path(name)));
+  const Ended study =
+      plumb_in(folder.path(), {"study", "bring_your_own.toml", "sweep", "-o", "out", "--set",
+                               "method.name=rk4", "--set", "method.step=1e-3", "--set", "cable.elements=4",
+                               "--set", "time.output_interval=0.02", "--set", "study.sweep.cases=2"});
+  ASSERT_TRUE(fs::exists(folder / "out/study.json")) << study.out << study.err;
+  fs::remove(folder / "bring_your_own.csv");
+  const Ended again = plumb_in(folder.path(), {"report", "out"});
+  EXPECT_EQ(again.status, study.status) << again.out << again.err;
+}
+
 }  // namespace
 }  // namespace plumb
