@@ -82,13 +82,14 @@ class Bdf : public Method {
     }
     const double b = formula.reach;
     base_ += b * rates_;
-    const StageEquation equation{.base = base_, .reach = b * b, .position = b * b};
-    next_a_ = a_;
-    if (const StepResult result = stage_.solve(equation, next_a_); !result.ok()) {
+    StageTerms stage{.base = Sum(base_), .reach = b * b};
+    stage.end_force = dynamics_.cable().end_force().data();
+    stage.from = {1, a_.data()};
+    if (const StepResult result = stage_.solve(stage, b * b, next_a_); !result.ok()) {
       // A step that is large against the fastest motion is out of reach of the last acceleration.
       dynamics_.take_collapsed();
-      next_a_.setZero();
-      if (!stage_.solve(equation, next_a_).ok()) return result;
+      stage.from.factor = 0;
+      if (!stage_.solve(stage, b * b, next_a_).ok()) return result;
     }
     std::swap(a_, next_a_);
     // The oldest state has served; it is as many steps back as the order, or more.

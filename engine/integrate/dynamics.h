@@ -1,10 +1,12 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 
 #include "engine/integrate/trajectory.h"
 #include "engine/model/block_lu.h"
 #include "engine/model/cable.h"
+#include "engine/model/huge_array.h"
 
 namespace plumb {
 
@@ -20,7 +22,11 @@ class Dynamics {
   void force(const Eigen::VectorXd& q, Eigen::VectorXd& f);
 
   /// a := dv/dt, consistent with the supports.
-  void acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a);
+  void acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a) { acceleration(Sum(q), a); }
+
+  /// The same at coordinates that are a sum, with other sums before and after it: see StageSums.
+  void acceleration(const Sum& q, Eigen::VectorXd& a, std::initializer_list<Sum> before = {},
+                    std::initializer_list<Sum> after = {});
 
   /// Factors S = mass_factor · M + stiffness_factor · K(q) with supports, K = −∂f/∂q. Returns the node at
   /// which S is singular; nothing if all is well.
@@ -30,18 +36,29 @@ class Dynamics {
   /// x := S⁻¹ x; x must be free of what the supports hold.
   void solve(Eigen::VectorXd& x) const;
 
+  /// One correction of Newton's iteration for a stage: x := from + the residual there, solved with the
+  /// factors at hand, or, with `stiffness_factor` other than 0, with those of mass · M + stiffness_factor · K
+  /// at the stage's point. x is given its size; the stage must not be made of it.
+  StageCorrection correct(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x);
+
   /// An element whose slope collapsed in a force evaluation since the last call; forgets it.
   std::optional<int> take_collapsed();
 
   Counters counters;
 
  private:
+  /// The same for any model and any matrix, one thing after the other.
+  StageCorrection correct_stepwise(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x);
+  /// By row exchanges, where S is not positive definite.
+  std::optional<int> factor_indefinite(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor);
   void assemble(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor);
+  double* factors();
 
   const Cable& cable_;
-  Eigen::VectorXd scratch_;
-  BlockTridiagonal system_;  // and its factors, in place
-  BlockLu<double> lu_;       // instead, where S is not positive definite
+  Eigen::VectorXd scratch_, point_, inertia_;
+  HugeArray factors_;                       // none before the first are made
+  std::optional<BlockTridiagonal> system_;  // S itself, where it is wanted in full
+  BlockLu<double> lu_;                      // instead, where S is not positive definite
   bool definite_ = true;
   std::optional<int> collapsed_;
 };

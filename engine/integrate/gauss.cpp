@@ -240,11 +240,10 @@ class Gauss : public OneStepMethod {
   /// result := first + reach rate + Σ weights Xⱼ.
   static void add_stages(const Eigen::VectorXd& first, const Eigen::VectorXd* rate, double reach,
                          const Stages& x, const Weights& weights, Eigen::VectorXd& result) {
-    const double* terms[stages + 1] = {x[0].data(), x[1].data(), x[2].data()};
-    const double factors[stages + 1] = {weights[0], weights[1], weights[2], reach};
-    if (rate != nullptr) terms[stages] = rate->data();
-    best_kernels().add_up(static_cast<int>(first.size()), first.data(), rate != nullptr ? stages + 1 : stages,
-                          factors, terms, result.data());
+    Sum sum(first);
+    for (int i = 0; i < stages; ++i) sum.plus(weights[at(i)], x[at(i)]);
+    if (rate != nullptr) sum.plus(reach, *rate);
+    best_kernels().add_up(static_cast<int>(first.size()) / 6, sum.into(result));
   }
 
   Tableau tableau_;

@@ -1,6 +1,6 @@
 #include "engine/integrate/implicit_stage.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "engine/integrate/newton.h"
 
@@ -20,55 +20,57 @@ ImplicitStage::ImplicitStage(const MethodSpec& spec, Dynamics& dynamics)
       iterations_(static_cast<int>(spec.parameters.at("newton_iterations"))),
       dynamics_(dynamics) {}
 
-StepResult ImplicitStage::solve(const StageEquation& equation, Eigen::VectorXd& x) {
+StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen::VectorXd& x) {
   const Cable& cable = dynamics_.cable();
-  const double stiffness = equation.force * equation.reach;
-  bool renew = !has_factors_ || factored_mass_ != equation.mass || factored_stiffness_ != stiffness;
+  const double stiffness = stage.force * stage.reach;
+  bool renew = !has_factors_ || factored_mass_ != stage.mass || factored_stiffness_ != stiffness;
   bool old = !renew;  // the matrix is that of an earlier step
-  guess_ = x;
-  CorrectionSize correction;
+  StageTerms terms = stage;
+  const auto metres = [&](const StageCorrection& correction) {
+    return position * std::max(correction.position, cable.element().length() * correction.slope);
+  };
+  const auto change_of = [&](const Eigen::VectorXd& change) {
+    return correction_size(change, position, cable.element().length());
+  };
+  x.resize(dynamics_.size());
   double before = 0;  // size of the correction before this one
   for (int i = 0; i < iterations_; ++i) {
-    point_ = equation.base + equation.reach * x;
-    dynamics_.force(point_, residual_);
-    if (const auto element = dynamics_.take_collapsed()) {
-      if (!point_.allFinite()) break;
-      return {Outcome::singular, "the slope collapsed within Newton's iteration", *element};
-    }
-    cable.mass().multiply(x, inertia_);
-    if (equation.known != nullptr)
-      residual_ = equation.force * residual_ + *equation.known - equation.mass * inertia_;
-    else
-      residual_ = equation.force * residual_ - equation.mass * inertia_;
-    cable.supports().apply(residual_);
-    if (renew) {
+    if (renew) has_factors_ = false;
+    const StageCorrection correction = dynamics_.correct(terms, renew ? stiffness : 0, next_);
+    if (correction.unsound >= 0) {
+      best_kernels().add_up(cable.nodes(), terms.point().into(next_));
       has_factors_ = false;
-      if (const auto node = dynamics_.factor(point_, equation.mass, stiffness))
-        return {Outcome::singular, "Newton's matrix is singular", *node};
+      if (!next_.allFinite()) return not_converged(change_of(next_), tolerance_);
+      return {Outcome::singular, "the slope collapsed within Newton's iteration", correction.unsound};
+    }
+    if (correction.singular >= 0)
+      return {Outcome::singular, "Newton's matrix is singular", correction.singular};
+    x.swap(next_);
+    if (renew) {
       has_factors_ = true;
-      factored_mass_ = equation.mass;
+      factored_mass_ = stage.mass;
       factored_stiffness_ = stiffness;
       old = false;
     }
-    dynamics_.solve(residual_);
-    ++dynamics_.counters.newton_iterations;
-    x += residual_;
-    correction = correction_size(residual_, equation.position, cable.element().length());
-    if (!std::isfinite(correction.metres)) break;
-    if (correction.metres <= tolerance_) return {};
-    const double rate = before > 0 ? correction.metres / before : 1;
-    if (before > 0 && rate < 1 && correction.metres * rate / (1 - rate) <= tolerance_) return {};
+    if (!correction.finite) break;
+    const double size = metres(correction);
+    if (size <= tolerance_) return {};
+    const double rate = before > 0 ? size / before : 1;
+    if (before > 0 && rate < 1 && size * rate / (1 - rate) <= tolerance_) return {};
     renew = before > 0 && rate > slow;
     if (old && before > 0 && rate > astray) {
-      x = guess_;
+      terms.from = stage.from;
       before = 0;
       renew = true;
       continue;
     }
-    before = correction.metres;
+    before = size;
+    if (i + 1 < iterations_) terms.from = {1, x.data()};
   }
   has_factors_ = false;
-  return not_converged(correction, tolerance_);
+  // What the last correction has changed.
+  next_ = x - terms.from.factor * Eigen::Map<const Eigen::VectorXd>(terms.from.numbers, x.size());
+  return not_converged(change_of(next_), tolerance_);
 }
 
 }  // namespace plumb

@@ -10,25 +10,25 @@ class Rk4 : public OneStepMethod {
  public:
   Rk4(const MethodSpec& spec, Dynamics& dynamics, const State& start)
       : OneStepMethod(spec, 4, dynamics, start) {
-    for (Eigen::VectorXd* x : {&a1_, &a2_, &a3_, &a4_, &q_}) x->resize(dynamics.size());
+    for (Eigen::VectorXd* x : {&a1_, &a2_, &a3_, &a4_}) x->resize(dynamics.size());
   }
 
  private:
   StepResult advance(double h, const State& from, State& to) override {
     // The stages of q are written out: k₂ of q is v + ½h a₁ and so on, so that only accelerations are kept.
+    const double half = 0.5 * h, h2 = h * h, third = h / 3, sixth = h / 6;
     dynamics().acceleration(from.q, a1_);
-    q_ = from.q + 0.5 * h * from.v;
-    dynamics().acceleration(q_, a2_);
-    q_ += 0.25 * h * h * a1_;
-    dynamics().acceleration(q_, a3_);
-    q_ = from.q + h * from.v + 0.5 * h * h * a2_;
-    dynamics().acceleration(q_, a4_);
-    to.q = from.q + h * from.v + (h * h / 6) * (a1_ + a2_ + a3_);
-    to.v = from.v + (h / 6) * (a1_ + 2 * (a2_ + a3_) + a4_);
+    dynamics().acceleration(Sum(from.q).plus(half, from.v), a2_);
+    dynamics().acceleration(Sum(from.q).plus(half, from.v).plus(0.25 * h2, a1_), a3_);
+    dynamics().acceleration(
+        Sum(from.q).plus(h, from.v).plus(0.5 * h2, a2_), a4_,
+        {Sum(from.q).plus(h, from.v).plus(h2 / 6, a1_).plus(h2 / 6, a2_).plus(h2 / 6, a3_).into(to.q),
+         Sum(from.v).plus(sixth, a1_).plus(third, a2_).plus(third, a3_).into(to.v)},
+        {Sum(to.v).plus(sixth, a4_).into(to.v)});
     return {};
   }
 
-  Eigen::VectorXd a1_, a2_, a3_, a4_, q_;
+  Eigen::VectorXd a1_, a2_, a3_, a4_;
 };
 
 }  // namespace

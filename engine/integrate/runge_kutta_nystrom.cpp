@@ -2,7 +2,6 @@
 
 #include "engine/integrate/nystrom_pair.h"
 #include "engine/integrate/one_step_method.h"
-#include "engine/kernels/kernels.h"
 
 namespace plumb {
 namespace {
@@ -39,46 +38,25 @@ class RungeKuttaNystrom : public OneStepMethod {
  private:
   using Pair = NystromPair;
   static constexpr int order_of_control = 6;
+  static constexpr std::size_t last = Pair::stages - 1;
 
   StepResult advance(double h, const State& from, State& to) override {
-    for (int i = 1; i < Pair::stages; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      Eigen::VectorXd& q = i + 1 < Pair::stages ? q_ : to.q;
-      combine(from, Pair::c[at] * h, h * h, Pair::a[at], i, q);
-      dynamics().acceleration(q, k_[at]);
-    }
-    const Eigen::VectorXd* terms[Pair::stages];
-    double factors[Pair::stages];
-    int count = 0;
-    for (std::size_t i = 0; i < Pair::stages; ++i) {
-      if (Pair::velocity[i] == 0) continue;
-      terms[count] = &k_[i];
-      factors[count++] = h * Pair::velocity[i];
-    }
-    add_up(from.v, terms, factors, count, to.v);
+    for (std::size_t i = 1; i < last; ++i) dynamics().acceleration(stage(i, h, from), k_[i]);
+    Sum velocity(from.v);
+    for (std::size_t i = 0; i < last; ++i)
+      if (Pair::velocity[i] != 0) velocity.plus(h * Pair::velocity[i], k_[i]);
+    static_assert(Pair::velocity[last] == 0);
+    dynamics().acceleration(stage(last, h, from).into(to.q), k_[last], {velocity.into(to.v)});
     return {};
   }
 
-  /// result := q + reach v + h² Σ weights kⱼ over the first `count` stages.
-  void combine(const State& from, double reach, double h2, const Pair::Row& weights, int count,
-               Eigen::VectorXd& result) const {
-    const Eigen::VectorXd* terms[Pair::stages + 1] = {&from.v};
-    double factors[Pair::stages + 1] = {reach};
-    int used = 1;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
-      if (weights[j] == 0) continue;
-      terms[used] = &k_[j];
-      factors[used++] = h2 * weights[j];
-    }
-    add_up(from.q, terms, factors, used, result);
-  }
-
-  static void add_up(const Eigen::VectorXd& first, const Eigen::VectorXd* const* terms, const double* factors,
-                     int count, Eigen::VectorXd& result) {
-    const double* data[Pair::stages + 1];
-    for (int i = 0; i < count; ++i) data[i] = terms[i]->data();
-    result.resize(first.size());
-    best_kernels().add_up(static_cast<int>(first.size()), first.data(), count, factors, data, result.data());
+  /// q + cᵢ h v + h² Σ aᵢⱼ kⱼ.
+  Sum stage(std::size_t i, double h, const State& from) const {
+    Sum sum(from.q);
+    sum.plus(Pair::c[i] * h, from.v);
+    for (std::size_t j = 0; j < i; ++j)
+      if (Pair::a[i][j] != 0) sum.plus(h * h * Pair::a[i][j], k_[j]);
+    return sum;
   }
 
   void estimate_error(double h, const State&, const State&, Eigen::VectorXd& e) override {
@@ -89,12 +67,11 @@ class RungeKuttaNystrom : public OneStepMethod {
 
   void accept() override {
     std::swap(before_a_, k_[0]);
-    std::swap(k_[0], k_[Pair::stages - 1]);
+    std::swap(k_[0], k_[last]);
   }
 
   std::array<Eigen::VectorXd, Pair::stages> k_;
   Eigen::VectorXd before_a_;  // acceleration before the last step
-  Eigen::VectorXd q_;
 };
 
 }  // namespace

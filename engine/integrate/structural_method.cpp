@@ -1,5 +1,6 @@
 #include "engine/integrate/structural_method.h"
 
+#include <array>
 #include <utility>
 
 #include "engine/integrate/newton.h"
@@ -20,47 +21,37 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   const StructuralScheme& s = scheme_;
   h_ = h;
   const double h2 = h * h;
-  base_ = from.q + (s.point * h) * from.v;
-  if (s.position_old != 0) base_ += (s.point * h2 * s.position_old) * a_;
-  const bool has_known = s.mass_old != 0 || s.force_old != 0;
-  if (s.mass_old != 0) {
-    dynamics().cable().mass().multiply(a_, known_);
-    known_ *= -s.mass_old;
-  } else if (has_known) {
-    known_.setZero(from.q.size());
-  }
-  if (s.force_old != 0) known_ += s.force_old * old_force_;
-
-  const StageEquation equation{.base = base_,
-                               .reach = s.point * h2 * s.position_new,
-                               .force = s.force_new,
-                               .mass = s.mass_new,
-                               .known = has_known ? &known_ : nullptr,
-                               .position = h2 * s.position_new};
+  Sum base(from.q);
+  base.plus(s.point * h, from.v);
+  if (s.position_old != 0) base.plus(s.point * h2 * s.position_old, a_);
+  StageTerms stage{.base = base, .reach = s.point * h2 * s.position_new};
+  stage.mass = s.mass_new;
+  stage.force = s.force_new;
+  stage.end_force = dynamics().cable().end_force().data();
+  if (s.mass_old != 0) stage.before = {s.mass_old / s.mass_new, a_.data()};
+  if (s.force_old != 0) stage.known = {s.force_old, old_force_.data()};
   // Two guesses: the acceleration of the step before; and that with which q₁ is q₀ + h v₀, which is the
   // better one where accelerations change at once, such as at a start, where those beside a support grow with
   // the fineness of the mesh. What took many corrections is not guessed again.
   constexpr long many = 6;
-  const auto guess = [&](bool coasting) {
-    if (coasting)
-      next_a_ = (-s.position_old / s.position_new) * a_;
-    else
-      next_a_ = a_;
+  const auto solve = [&](bool coasting) {
+    stage.from = {coasting ? -s.position_old / s.position_new : 1, a_.data()};
+    return stage_.solve(stage, h2 * s.position_new, next_a_);
   };
   const long before = dynamics().counters.newton_iterations;
-  guess(coasting_);
   next_coasting_ = coasting_;
-  if (StepResult result = stage_.solve(equation, next_a_); !result.ok()) {
-    guess(!coasting_);
-    if (!stage_.solve(equation, next_a_).ok()) return result;
+  if (StepResult result = solve(coasting_); !result.ok()) {
+    if (!solve(!coasting_).ok()) return result;
     next_coasting_ = !coasting_;
   } else if (dynamics().counters.newton_iterations - before > many) {
     next_coasting_ = !coasting_;
   }
-  to.q = from.q + h * from.v + (h2 * s.position_new) * next_a_;
-  to.v = from.v + (h * s.velocity_new) * next_a_;
-  if (s.position_old != 0) to.q += (h2 * s.position_old) * a_;
-  if (s.velocity_old != 0) to.v += (h * s.velocity_old) * a_;
+  Sum q(from.q), v(from.v);
+  q.plus(h, from.v).plus(h2 * s.position_new, next_a_).into(to.q);
+  v.plus(h * s.velocity_new, next_a_).into(to.v);
+  if (s.position_old != 0) q.plus(h2 * s.position_old, a_);
+  if (s.velocity_old != 0) v.plus(h * s.velocity_old, a_);
+  best_kernels().add_up(dynamics().cable().nodes(), std::array{q, v});
   if (s.force_old != 0) dynamics().force(to.q, force_);
   return {};
 }

@@ -51,7 +51,6 @@ class StructuralMethod : public OneStepMethod {
   Eigen::VectorXd old_force_, force_;            // f(q₀) and f(q₁), where the scheme needs them
   bool coasting_ = true, next_coasting_ = true;  // which guess comes first
   double h_ = 0, last_h_ = 0;                    // of this step and the last, s; 0: none
-  Eigen::VectorXd base_, known_;
 };
 
 /// What the methods of this kind share in their description; `name`, `summary` and so on are left to them.

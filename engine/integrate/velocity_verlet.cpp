@@ -14,14 +14,14 @@ class VelocityVerlet : public OneStepMethod {
   VelocityVerlet(const MethodSpec& spec, Dynamics& dynamics, const State& start)
       : OneStepMethod(spec, 2, dynamics, start) {
     dynamics.acceleration(start.q, a_);
+    next_a_.resize(dynamics.size());
     dynamics.take_collapsed();
   }
 
  private:
   StepResult advance(double h, const State& from, State& to) override {
-    to.q = from.q + h * from.v + (0.5 * h * h) * a_;
-    dynamics().acceleration(to.q, next_a_);
-    to.v = from.v + (0.5 * h) * (a_ + next_a_);
+    dynamics().acceleration(Sum(from.q).plus(h, from.v).plus(0.5 * h * h, a_).into(to.q), next_a_, {},
+                            {Sum(from.v).plus(0.5 * h, a_).plus(0.5 * h, next_a_).into(to.v)});
     return {};
   }
 

@@ -1,7 +1,6 @@
 // Built once for each instruction set; PLUMB_KERNELS names the table that this build defines.
-#include "engine/kernels/block_factors.h"
-#include "engine/kernels/chain.h"
-#include "engine/kernels/mass_band.h"
+#include "engine/kernels/acceleration.h"
+#include "engine/kernels/stage.h"
 
 namespace plumb::kernels {
 namespace {
@@ -13,6 +12,11 @@ namespace {
                    : ((element).full ? function<false, true>(element, __VA_ARGS__)  \
                                      : function<false, false>(element, __VA_ARGS__)))
 
+template <bool green, bool full>
+constexpr auto kept_correction = chain_correction<green, full, false>;
+template <bool green, bool full>
+constexpr auto renewed_correction = chain_correction<green, full, true>;
+
 int force(const ElementConstants& element, int elements, const double* q, double* f) {
   return PLUMB_CHOOSE(chain_force, element, elements, q, f);
 }
@@ -21,54 +25,51 @@ void energy(const ElementConstants& element, int elements, const double* q, doub
   PLUMB_CHOOSE(chain_energy, element, elements, q, axial, bending);
 }
 
-void system(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
-            const double* q, double* block_columns) {
+ElementConstants scaled_by(double mass_factor, double stiffness_factor, const ElementConstants& element) {
   ElementConstants scaled = element;
   scaled.axial_stiffness *= stiffness_factor;
   scaled.bending_stiffness *= stiffness_factor;
   scaled.mass_per_length *= mass_factor;
+  return scaled;
+}
+
+void system(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
+            const double* q, double* block_columns) {
+  const ElementConstants scaled = scaled_by(mass_factor, stiffness_factor, element);
   PLUMB_CHOOSE(chain_system, scaled, elements, q, block_columns);
 }
 
-/// The loop of add_up for a number of terms that is known, so that their factors stay in registers.
-template <int count>
-void add_up_terms(int size, const double* first, const double* factors, const double* const* terms,
-                  double* result) {
-  Lanes factor[count];
-  const double* term[count];
-#pragma GCC unroll 8
-  for (int k = 0; k < count; ++k) {
-    factor[k] = all(factors[k]);
-    term[k] = terms[k];
-  }
-  for (int i = 0; i < size; i += 6) {
-    Six sum = load_six(first + i);
-#pragma GCC unroll 8
-    for (int k = 0; k < count; ++k) {
-      const Six x = load_six(term[k] + i);
-      sum.a += factor[k] * x.a;
-      sum.b += __builtin_shufflevector(factor[k], factor[k], 0, 1) * x.b;
-    }
-    store_six(result + i, sum);
-  }
+int system_factors(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
+                   const HeldEnds& ends, const double* q, double* factors) {
+  const ElementConstants scaled = scaled_by(mass_factor, stiffness_factor, element);
+  return PLUMB_CHOOSE(chain_factors, scaled, elements, ends, q, factors);
 }
 
-void add_up(int size, const double* first, int count, const double* factors, const double* const* terms,
-            double* result) {
-  // Called by pointers, as the compiler would otherwise merge them and save registers for the largest.
-  static constexpr decltype(&add_up_terms<1>) of_count[] = {add_up_terms<1>, add_up_terms<2>, add_up_terms<3>,
-                                                            add_up_terms<4>, add_up_terms<5>, add_up_terms<6>,
-                                                            add_up_terms<7>, add_up_terms<8>};
-  constexpr int most = static_cast<int>(sizeof(of_count) / sizeof(of_count[0]));
-  for (; count > most; count -= most, factors += most, terms += most, first = result)
-    of_count[most - 1](size, first, factors, terms, result);
-  of_count[count - 1](size, first, factors, terms, result);
+StageCorrection correct(const ElementConstants& element, int elements, const HeldEnds& ends,
+                        const StageTerms& stage, double stiffness_factor, double* factors, double* x) {
+  const ElementConstants scaled = scaled_by(stage.mass, stiffness_factor, element);
+  if (stiffness_factor != 0)
+    return PLUMB_CHOOSE(renewed_correction, element, scaled, elements, ends, stage, factors, x);
+  return PLUMB_CHOOSE(kept_correction, element, scaled, elements, ends, stage, factors, x);
+}
+
+int acceleration(const ElementConstants& element, int elements, const MassFactors& mass,
+                 const double* end_force, const StageSums& sums, double* a) {
+  return PLUMB_CHOOSE(chain_acceleration, element, elements, mass, end_force, sums, a);
+}
+
+void add_up(int nodes, std::span<const Sum> sums) {
+  // By blocks, so that what several sums share is read once.
+  constexpr int block = 64;
+  for (int from = 0; from < nodes; from += block)
+    for (const Sum& sum : sums) add_up(sum, from, nodes - from < block ? nodes : from + block);
 }
 
 }  // namespace
 
 extern const Kernels PLUMB_KERNELS;
-const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET, force,  energy,        system, factor, solve, mass_solve,
-                            mass_multiply,         add_up, kinetic_energy};
+const Kernels PLUMB_KERNELS{
+    PLUMB_INSTRUCTION_SET, force,   acceleration, energy,        system, factor,        solve,
+    system_factors,        correct, mass_solve,   mass_multiply, add_up, kinetic_energy};
 
 }  // namespace plumb::kernels

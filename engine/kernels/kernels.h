@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "engine/kernels/sum.h"
+
 namespace plumb {
 
 /// |r'| below which a slope counts as collapsed (1: unstretched). The curvature is singular at r' = 0, and a
@@ -39,9 +41,66 @@ struct MassFactors {
   const MassFactor* middle;
 };
 
+/// What the supports make of the equations of the end nodes: what they hold gets the equation x = 0. Block
+/// columns are those of Kernels::system.
+class HeldEnds {
+ public:
+  /// Of the first node's block column.
+  virtual void hold_first(double* column) const = 0;
+  /// Of the last node's block column and that of the node before it.
+  virtual void hold_last(double* column_before, double* column) const = 0;
+  /// Of an end node's six numbers of the right-hand side.
+  virtual void hold(bool last, double* numbers) const = 0;
+
+ protected:
+  ~HeldEnds() = default;
+};
+
+/// factor · numbers, one array of a chain.
+struct Scaled {
+  double factor = 0;
+  const double* numbers = nullptr;
+};
+
+/// An implicit stage for accelerations x, of which `from` is an estimate:
+///   mass M (x + before) = force (f(base + reach x) + end force on the last node) + known.
+struct StageTerms {
+  Sum base;          ///< m and 1
+  double reach = 0;  ///< s²
+  double mass = 1, force = 1;
+  const double* end_force = nullptr;  ///< three numbers, N
+  Scaled before = {};                 ///< m/s² and 1/s²; its numbers may be nullptr
+  Scaled known = {};                  ///< N and N m; its numbers may be nullptr
+  Scaled from = {};                   ///< m/s² and 1/s²
+
+  /// base + reach x at the estimate.
+  Sum point() const {
+    Sum sum = base;
+    return sum.plus(reach * from.factor, from.numbers);
+  }
+  /// x + before at the estimate.
+  Sum accelerations() const {
+    Sum sum(from.numbers);
+    if (from.factor != 1) sum.plus(from.factor - 1, from.numbers);
+    if (before.numbers != nullptr) sum.plus(before.factor, before.numbers);
+    return sum;
+  }
+};
+
+/// How a correction of a stage's x went.
+struct StageCorrection {
+  int unsound = -1;                ///< what `force` returns; unless -1, x is not set
+  int singular = -1;               ///< what `factor` returns; unless -1, x is not set
+  double position = 0, slope = 0;  ///< largest change of a position's and of a slope's x
+  bool finite = false;             ///< all changes are
+};
+
 /// A node's block column of a symmetric block tridiagonal matrix: six columns of twelve numbers, the upper
 /// six the diagonal block, the lower six the block below it.
 inline constexpr int block_column_size = 72;
+
+/// Numbers a node of the factors of such a matrix.
+inline constexpr int factor_size = 64;
 
 /// The loops that a run spends its time in, written for vector units and built twice: for any x86-64 and,
 /// where the processor has AVX2, for x86-64-v3. Both do the same operations in the same order without fused
@@ -54,6 +113,12 @@ struct Kernels {
   /// not a number, at an integration point, where the force is not to be used; -1 if all is well.
   int (*force)(const ElementConstants& element, int elements, const double* q, double* f);
 
+  /// a := M⁻¹ (f(q) + end_force on the last node) with the factors of M, and the sums. All is done to a node
+  /// while it is at hand, so that on long chains each array is read once, and most of that while forces are
+  /// computed. Returns what `force` does.
+  int (*acceleration)(const ElementConstants& element, int elements, const MassFactors& mass,
+                      const double* end_force, const StageSums& sums, double* a);
+
   /// Strain energies of stretching and bending of all elements, J.
   void (*energy)(const ElementConstants& element, int elements, const double* q, double* axial,
                  double* bending);
@@ -63,12 +128,23 @@ struct Kernels {
   void (*system)(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
                  const double* q, double* block_columns);
 
-  /// Factors a symmetric positive definite block tridiagonal matrix in place. Returns the node at which it
-  /// turns out not to be one; -1 if all is well.
-  int (*factor)(int nodes, double* block_columns);
+  /// Makes the factors of a symmetric positive definite block tridiagonal matrix. Returns
+  /// the node at which it turns out not to be one; -1 if all is well.
+  int (*factor)(int nodes, const double* block_columns, double* factors);
 
   /// x := A⁻¹ x with the factors of A.
-  void (*solve)(int nodes, const double* block_columns, double* x);
+  void (*solve)(int nodes, const double* factors, double* x);
+
+  /// `system` with supports and `factor` in one, without the block columns.
+  int (*system_factors)(const ElementConstants& element, double mass_factor, double stiffness_factor,
+                        int elements, const HeldEnds& ends, const double* q, double* factors);
+
+  /// One correction of Newton's iteration for a stage: x := from + the residual of the stage at `from`,
+  /// solved with the factors of a matrix. With `stiffness_factor` other than 0 these are first made of mass M
+  /// + stiffness_factor K(point), K = ∂²U/∂q². All numbers of a node are read once for the way to the last
+  /// node and once for the way back. x must not be among those that the stage is made of.
+  StageCorrection (*correct)(const ElementConstants& element, int elements, const HeldEnds& ends,
+                             const StageTerms& stage, double stiffness_factor, double* factors, double* x);
 
   /// x := M⁻¹ x with the factors of M.
   void (*mass_solve)(int nodes, const MassFactors& factors, double* x);
@@ -76,10 +152,9 @@ struct Kernels {
   /// y := M v, without supports.
   void (*mass_multiply)(const ElementConstants& element, int elements, const double* v, double* y);
 
-  /// result := first + Σ factors[i] · terms[i] over `count` arrays, > 0, of `size` numbers, 6 a node.
-  /// The result may be one of them.
-  void (*add_up)(int size, const double* first, int count, const double* factors, const double* const* terms,
-                 double* result);
+  /// Adds sums up over all nodes, one after the other as far as a node is concerned. A result may be one of
+  /// its own terms, and one of those of the sums behind it.
+  void (*add_up)(int nodes, std::span<const Sum> sums);
 
   /// ½ vᵀ M v, J.
   double (*kinetic_energy)(const ElementConstants& element, int elements, const double* v);

@@ -39,84 +39,137 @@ PLUMB_INLINE NodeVectors outwards(const MassFactor& f, const NodeVectors& own, c
   return {s.r - f.rr * neighbour.r - f.gr * neighbour.g, s.g - f.rg * neighbour.r - f.gg * neighbour.g};
 }
 
-void mass_solve(int nodes, const MassFactors& factors, double* x) {
-  const int middle = nodes / 2;
-  const auto at = [&](int node) { return x + 6 * node; };
-  const auto of_left = [&](int node) -> const MassFactor& {
-    return factors.from_left[node < factors.settled_left ? node : factors.settled_left - 1];
-  };
-  const auto of_right = [&](int node) -> const MassFactor& {
-    const int place = nodes - 1 - node;
-    return factors.from_right[place < factors.settled_right ? place : factors.settled_right - 1];
-  };
-  int left = 0, right = nodes - 1;
-  NodeVectors from_left = load_node(at(left)), from_right = load_node(at(right));
-  const auto step_left = [&] {
-    store_node(at(left), from_left);
-    from_left = inwards(of_left(left), from_left, load_node(at(left + 1)));
-    ++left;
-  };
-  const auto step_right = [&] {
-    store_node(at(right), from_right);
-    from_right = inwards(of_right(right), from_right, load_node(at(right - 1)));
-    --right;
-  };
-  // The chains end one node before the middle, which both take something off.
-  while (left < middle - 1 && right > middle + 1) {
-    step_left();
-    step_right();
-  }
-  while (left < middle - 1) step_left();
-  while (right > middle + 1) step_right();
-  NodeVectors center = load_node(at(middle));
-  center = inwards(of_left(left), from_left, center);
-  if (middle + 1 < nodes) center = inwards(of_right(right), from_right, center);
-  center = scaled(*factors.middle, center);
-  store_node(at(middle), center);
+/// x := M⁻¹ x, node after node from both ends to the middle, and back as far as is asked each time, so that
+/// what a node gives can be used while it is at hand.
+class MassSweep {
+ public:
+  PLUMB_INLINE MassSweep(int nodes, const MassFactors& factors, double* x)
+      : nodes_(nodes),
+        middle_(nodes / 2),
+        factors_(factors),
+        x_(x),
+        right_(nodes - 1),
+        from_left_(load_node(at(0))),
+        from_right_(load_node(at(right_))) {}
 
-  NodeVectors to_left = center, to_right = center;
-  const auto back_left = [&](const NodeVectors& own) {
-    to_left = outwards(of_left(left), own, to_left);
-    store_node(at(left), to_left);
-    --left;
-  };
-  const auto back_right = [&](const NodeVectors& own) {
-    to_right = outwards(of_right(right), own, to_right);
-    store_node(at(right), to_right);
-    ++right;
-  };
-  back_left(from_left);
-  if (middle + 1 < nodes) back_right(from_right);
-  // Without a right half the chain began at the middle node itself.
-  if (middle + 1 == nodes) right = nodes;
-  while (left >= 0 && right < nodes) {
-    back_left(load_node(at(left)));
-    back_right(load_node(at(right)));
+  /// To the middle, where the solution begins.
+  PLUMB_INLINE void inwards_to_middle() {
+    // The chains end one node before the middle, which both take something off.
+    while (left_ < middle_ - 1 && right_ > middle_ + 1) {
+      step_left();
+      step_right();
+    }
+    while (left_ < middle_ - 1) step_left();
+    while (right_ > middle_ + 1) step_right();
+    const bool both = middle_ + 1 < nodes_;
+    NodeVectors center = load_node(at(middle_));
+    center = inwards(of_left(left_), from_left_, center);
+    if (both) center = inwards(of_right(right_), from_right_, center);
+    center = scaled(*factors_.middle, center);
+    store_node(at(middle_), center);
+    to_left_ = to_right_ = center;
+    back_left(from_left_);
+    // Without a right half the chain began at the middle node itself.
+    right_ = both ? right_ : nodes_;
+    if (both) back_right(from_right_);
   }
-  while (left >= 0) back_left(load_node(at(left)));
-  while (right < nodes) back_right(load_node(at(right)));
+
+  /// Goes outwards until the nodes from `first` to `last` are solved for.
+  PLUMB_INLINE void outwards_to(int first, int last) {
+    while (left_ >= first && right_ <= last) {
+      back_left(load_node(at(left_)));
+      back_right(load_node(at(right_)));
+    }
+    while (left_ >= first) back_left(load_node(at(left_)));
+    while (right_ <= last) back_right(load_node(at(right_)));
+  }
+
+ private:
+  PLUMB_INLINE double* at(int node) const { return x_ + 6 * node; }
+  PLUMB_INLINE const MassFactor& of_left(int node) const {
+    return factors_.from_left[node < factors_.settled_left ? node : factors_.settled_left - 1];
+  }
+  PLUMB_INLINE const MassFactor& of_right(int node) const {
+    const int place = nodes_ - 1 - node;
+    return factors_.from_right[place < factors_.settled_right ? place : factors_.settled_right - 1];
+  }
+  PLUMB_INLINE void step_left() {
+    store_node(at(left_), from_left_);
+    from_left_ = inwards(of_left(left_), from_left_, load_node(at(left_ + 1)));
+    ++left_;
+  }
+  PLUMB_INLINE void step_right() {
+    store_node(at(right_), from_right_);
+    from_right_ = inwards(of_right(right_), from_right_, load_node(at(right_ - 1)));
+    --right_;
+  }
+  PLUMB_INLINE void back_left(const NodeVectors& own) {
+    to_left_ = outwards(of_left(left_), own, to_left_);
+    store_node(at(left_), to_left_);
+    --left_;
+  }
+  PLUMB_INLINE void back_right(const NodeVectors& own) {
+    to_right_ = outwards(of_right(right_), own, to_right_);
+    store_node(at(right_), to_right_);
+    ++right_;
+  }
+
+  int nodes_, middle_;
+  const MassFactors& factors_;
+  double* x_;
+  int left_ = 0, right_;  // the nodes that come next
+  NodeVectors from_left_, from_right_;
+  NodeVectors to_left_, to_right_;
+};
+
+void mass_solve(int nodes, const MassFactors& factors, double* x) {
+  MassSweep sweep(nodes, factors, x);
+  sweep.inwards_to_middle();
+  sweep.outwards_to(0, nodes - 1);
 }
 
-/// Visits M v node by node: `take(node, v of the node, M v of the node)`.
+/// M v node by node.
+class Momentum {
+ public:
+  /// `first`: v of the first node.
+  PLUMB_INLINE Momentum(const ElementConstants& c, const NodeVectors& first) : m_(c), own_(first) {}
+
+  /// v of the node that comes next in `take`.
+  PLUMB_INLINE const NodeVectors& own() const { return own_; }
+
+  /// M v of the next node, with v of the node behind it.
+  PLUMB_INLINE NodeVectors take(const NodeVectors& after) {
+    NodeVectors p = take_last();
+    p.r += m_.rr * own_.r + m_.rg * own_.g + m_.r1r0 * after.r + m_.g1r0 * after.g;
+    p.g += m_.rg * own_.r + m_.gg * own_.g - m_.g1r0 * after.r + m_.g1g0 * after.g;
+    before_ = own_;
+    own_ = after;
+    first_ = false;
+    return p;
+  }
+
+  /// M v of the last node.
+  PLUMB_INLINE NodeVectors take_last() const {
+    if (first_) return NodeVectors{};
+    return {m_.r1r0 * before_.r - m_.g1r0 * before_.g + m_.rr * own_.r - m_.rg * own_.g,
+            m_.gg * own_.g - m_.rg * own_.r + m_.g1r0 * before_.r + m_.g1g0 * before_.g};
+  }
+
+ private:
+  ElementMass m_;
+  NodeVectors before_{}, own_;
+  bool first_ = true;
+};
+
+/// Visits M v: `take(node, v of the node, M v of the node)`.
 template <class Take>
 PLUMB_INLINE void for_each_momentum(const ElementConstants& c, int elements, const double* v, Take take) {
-  const ElementMass m(c);
-  NodeVectors before{}, own = load_node(v);
-  for (int node = 0; node <= elements; ++node) {
-    NodeVectors p{}, after{};
-    if (node > 0) {
-      p.r = m.r1r0 * before.r - m.g1r0 * before.g + m.rr * own.r - m.rg * own.g;
-      p.g = m.gg * own.g - m.rg * own.r + m.g1r0 * before.r + m.g1g0 * before.g;
-    }
-    if (node < elements) {
-      after = load_node(v + 6 * (node + 1));
-      p.r += m.rr * own.r + m.rg * own.g + m.r1r0 * after.r + m.g1r0 * after.g;
-      p.g += m.rg * own.r + m.gg * own.g - m.g1r0 * after.r + m.g1g0 * after.g;
-    }
-    take(node, own, p);
-    before = own;
-    own = after;
+  Momentum momentum(c, load_node(v));
+  for (int node = 0; node < elements; ++node) {
+    const NodeVectors own = momentum.own();
+    take(node, own, momentum.take(load_node(v + 6 * (node + 1))));
   }
+  take(elements, momentum.own(), momentum.take_last());
 }
 
 void mass_multiply(const ElementConstants& c, int elements, const double* v, double* y) {

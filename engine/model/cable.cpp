@@ -71,6 +71,27 @@ std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) co
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
+std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a,
+                                       Eigen::VectorXd& scratch) const {
+  a.resize(size());
+  const Kernels& kernels = best_kernels();
+  if (const MassFactors* factors = mass_.factors(); factors != nullptr && !chain_) {
+    const int collapsed =
+        kernels.acceleration(constants_, elements_, *factors, end_force_.data(), sums, a.data());
+    return collapsed < 0 ? std::nullopt : std::optional(collapsed);
+  }
+  scratch.resize(size());
+  kernels.add_up(nodes(), sums.before);
+  Sum q = sums.q;
+  kernels.add_up(nodes(), q.into(scratch));
+  if (sums.q.result != nullptr) std::copy(scratch.begin(), scratch.end(), sums.q.result);
+  const std::optional<int> collapsed = force(scratch, a);
+  // What acts on held coordinates has no effect on the others, and none on itself.
+  mass_.solve(a, scratch);
+  kernels.add_up(nodes(), sums.after);
+  return collapsed;
+}
+
 void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
                    BlockTridiagonal& A) const {
   if (chain_)

@@ -57,10 +57,17 @@ class Cable {
   /// The weight of the cable and the force on its last end, on its coordinates, N and N m.
   const Eigen::VectorXd& external_force() const { return external_force_; }
 
+  /// The force on the last end, N.
+  const Vec3& end_force() const { return end_force_; }
+
   /// f := external minus elastic force; the forces of the supports are not in it. Returns an element whose
   /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point; of a link, λ ≤ slope_floor), for
   /// which f is incomplete; nothing if all is well.
   std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
+
+  /// a := dv/dt, consistent with the supports, and the sums. `scratch` is given the size of q where it is
+  /// needed. Returns what `force` does.
+  std::optional<int> acceleration(const StageSums& sums, Eigen::VectorXd& a, Eigen::VectorXd& scratch) const;
 
   /// A := mass_factor · M + stiffness_factor · K(q) with K = −∂f/∂q, without supports.
   void system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,

@@ -18,7 +18,7 @@ MassMatrix::MassMatrix(const ElementConstants& element, int elements, const Supp
   if (ends.first == Support::clamped || ends.last == Support::clamped) along_ = factor(false);
 }
 
-MassMatrix::Factors MassMatrix::factor(bool slopes_held) const {
+std::shared_ptr<const MassMatrix::Factors> MassMatrix::factor(bool slopes_held) const {
   // Factors whose multipliers differ by less have settled: they follow from one another by a contraction.
   constexpr double settled = 1e-16;
   const double l = element_.length;
@@ -63,24 +63,27 @@ MassMatrix::Factors MassMatrix::factor(bool slopes_held) const {
     }
     return taken_off;
   };
-  Factors result;
-  Block taken_off = eliminate(0, 1, result.from_left);
-  taken_off += eliminate(nodes - 1, -1, result.from_right);
+  auto result = std::make_shared<Factors>();
+  Block taken_off = eliminate(0, 1, result->from_left);
+  taken_off += eliminate(nodes - 1, -1, result->from_right);
   // The chain of one element has no right half.
-  if (result.from_right.empty()) result.from_right.emplace_back();
-  result.middle = entry(inverse_of(middle, taken_off), Block::Zero());
+  if (result->from_right.empty()) result->from_right.emplace_back();
+  result->middle = entry(inverse_of(middle, taken_off), Block::Zero());
+  result->view = {result->from_left.data(), result->from_right.data(),
+                  static_cast<int>(result->from_left.size()), static_cast<int>(result->from_right.size()),
+                  &result->middle};
   return result;
 }
 
 void MassMatrix::solve(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const {
   const Kernels& k = best_kernels();
   if (!along_) {
-    k.mass_solve(elements_ + 1, across_.view(), x.data());
+    k.mass_solve(elements_ + 1, across_->view, x.data());
     return;
   }
   scratch = x;
-  k.mass_solve(elements_ + 1, across_.view(), x.data());
-  k.mass_solve(elements_ + 1, along_->view(), scratch.data());
+  k.mass_solve(elements_ + 1, across_->view, x.data());
+  k.mass_solve(elements_ + 1, along_->view, scratch.data());
   const Vec3 d = supports_.direction();
   for (Eigen::Index i = 0; i < x.size(); i += 3) {
     auto part = x.segment<3>(i);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "engine/kernels/kernels.h"
@@ -24,29 +24,28 @@ class MassMatrix {
   /// is only used where an end is clamped, and is then given the size of x.
   void solve(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const;
 
+  /// The factors with which alone `solve` works; nullptr where an end is clamped, which takes two.
+  const MassFactors* factors() const { return along_ ? nullptr : &across_->view; }
+
   /// ½ vᵀ M v, J.
   double kinetic_energy(const Eigen::VectorXd& v) const;
 
  private:
-  /// Lists of factors from both ends, cut where they have settled.
+  /// Lists of factors from both ends, cut where they have settled, and the kernels' view of them.
   struct Factors {
     std::vector<MassFactor> from_left, from_right;
     MassFactor middle;
-
-    MassFactors view() const {
-      return {from_left.data(), from_right.data(), static_cast<int>(from_left.size()),
-              static_cast<int>(from_right.size()), &middle};
-    }
+    MassFactors view;
   };
 
   /// `slopes_held`: clamped ends hold their slope too.
-  Factors factor(bool slopes_held) const;
+  std::shared_ptr<const Factors> factor(bool slopes_held) const;
 
   ElementConstants element_;
   int elements_;
   SupportProjection supports_;
-  Factors across_;                // for motion across the clamped direction
-  std::optional<Factors> along_;  // for motion along it; only with a clamped end
+  std::shared_ptr<const Factors> across_;  // for motion across the clamped direction
+  std::shared_ptr<const Factors> along_;   // for motion along it; only with a clamped end
 };
 
 }  // namespace plumb

@@ -15,6 +15,26 @@ Block6 node_projection(Support support, const Vec3& direction) {
   return P;
 }
 
+/// P of one node, in place.
+void hold_numbers(Support support, const Vec3& direction, double* numbers) {
+  if (support == Support::free) return;
+  Eigen::Map<Vec3>(numbers).setZero();
+  if (support == Support::pinned) return;
+  Eigen::Map<Vec3> slope(numbers + 3);
+  slope = direction * direction.dot(slope);
+}
+
+/// A node's diagonal block becomes P D P + (I − P); of D the lower triangle counts.
+void hold_diagonal(Support support, const Vec3& direction, BlockTridiagonal::Map D) {
+  D.leftCols<3>().setZero();
+  D.topLeftCorner<3, 3>().setIdentity();
+  if (support == Support::pinned) return;
+  const Eigen::Matrix3d slopes = D.bottomRightCorner<3, 3>().selfadjointView<Eigen::Lower>();
+  const Eigen::Matrix3d along = direction * direction.transpose();
+  D.bottomRightCorner<3, 3>() =
+      direction.dot(slopes * direction) * along + Eigen::Matrix3d::Identity() - along;
+}
+
 }  // namespace
 
 SupportProjection::SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes,
@@ -22,33 +42,38 @@ SupportProjection::SupportProjection(const SupportsSpec& supports, const Vec3& d
     : supports_(supports), direction_(direction), nodes_(nodes), slopes_held_(model == CableModel::chain) {}
 
 void SupportProjection::apply(Eigen::VectorXd& x) const {
-  const auto hold = [&](Support support, int node) {
-    if (support == Support::free) return;
-    x.segment<3>(6 * node).setZero();
-    if (support == Support::clamped) {
-      auto slope = x.segment<3>(6 * node + 3);
-      slope = direction_ * direction_.dot(slope);
-    }
-  };
-  hold(supports_.first, 0);
-  hold(supports_.last, nodes_ - 1);
+  hold(false, x.data());
+  hold(true, x.data() + 6 * (nodes_ - 1));
   if (!slopes_held_) return;
   for (int node = 0; node < nodes_; ++node) x.segment<3>(6 * node + 3).setZero();
 }
 
+void SupportProjection::hold(bool last, double* numbers) const {
+  hold_numbers(last ? supports_.last : supports_.first, direction_, numbers);
+}
+
+void SupportProjection::hold_first(double* column) const {
+  const Support support = supports_.first;
+  if (support == Support::free) return;
+  hold_diagonal(support, direction_, BlockTridiagonal::Map(column));
+  BlockTridiagonal::Map below(column + 6);
+  below.leftCols<3>().setZero();
+  if (support == Support::pinned) return;
+  const Eigen::Matrix<double, 6, 1> along = below.rightCols<3>() * direction_;
+  below.rightCols<3>() = along * direction_.transpose();
+}
+
+void SupportProjection::hold_last(double* column_before, double* column) const {
+  const Support support = supports_.last;
+  if (support == Support::free) return;
+  hold_diagonal(support, direction_, BlockTridiagonal::Map(column));
+  for (int j = 0; j < 6; ++j) hold_numbers(support, direction_, column_before + 12 * j + 6);
+}
+
 void SupportProjection::apply(BlockTridiagonal& A) const {
-  const auto hold = [&](Support support, int node) {
-    if (support == Support::free) return;
-    const Block6 P = node_projection(support, direction_);
-    const Block6 diagonal = A.diagonal(node).selfadjointView<Eigen::Lower>();
-    A.diagonal(node) = P * diagonal * P + Block6::Identity() - P;
-    if (node == 0)
-      A.below(0) = (A.below(0) * P).eval();
-    else
-      A.below(node - 1) = (P * A.below(node - 1)).eval();
-  };
-  hold(supports_.first, 0);
-  hold(supports_.last, nodes_ - 1);
+  const auto column = [&](int node) { return A.data() + block_column_size * node; };
+  hold_first(column(0));
+  hold_last(column(nodes_ - 2), column(nodes_ - 1));
   if (!slopes_held_) return;
   // Slopes are coupled to nothing.
   for (int node = 0; node < nodes_; ++node) A.diagonal(node).bottomRightCorner<3, 3>().setIdentity();

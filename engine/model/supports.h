@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "engine/input/case.h"
+#include "engine/kernels/kernels.h"
 
 namespace plumb {
 
@@ -14,7 +15,7 @@ struct GeneralBlockTridiagonal;
 /// r'). `pinned` holds r; `clamped` holds r and the part of r' across the direction of the straight cable, so
 /// that the clamped end can still stretch. The slopes of a chain, which are no unknowns, are held at every
 /// node. Supports do not move: a held coordinate keeps its value.
-class SupportProjection {
+class SupportProjection : public HeldEnds {
  public:
   /// `direction`: unit vector of the straight cable; only used where an end is clamped.
   SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes,
@@ -26,6 +27,10 @@ class SupportProjection {
   /// A := P A P + (I − P): held coordinates get the equation x = 0.
   void apply(BlockTridiagonal& A) const;
   void apply(GeneralBlockTridiagonal<double>& A) const;
+
+  void hold_first(double* column) const override;
+  void hold_last(double* column_before, double* column) const override;
+  void hold(bool last, double* numbers) const override;
 
   const SupportsSpec& spec() const { return supports_; }
   const Vec3& direction() const { return direction_; }

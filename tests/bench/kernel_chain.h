@@ -22,7 +22,8 @@ struct KernelChain {
         l(1.0 / std::min(n, 64)),
         constants{EA, EI, l, 8e-3, {0, -9.81, 0}, true, true},
         q(6 * (n + 1)),
-        columns(static_cast<std::size_t>(block_column_size * (n + 1))) {
+        columns(static_cast<std::size_t>(block_column_size * (n + 1))),
+        factors(static_cast<std::size_t>(factor_size * (n + 1))) {
     std::mt19937 generator(1);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int node = 0; node <= n; ++node)
@@ -56,7 +57,7 @@ struct KernelChain {
   double l;
   ElementConstants constants;
   Eigen::VectorXd q, f;
-  std::vector<double> columns;
+  std::vector<double> columns, factors;
 };
 
 }  // namespace plumb

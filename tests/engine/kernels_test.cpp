@@ -6,7 +6,9 @@
 #include <limits>
 #include <random>
 
+#include "engine/model/block_tridiagonal.h"
 #include "engine/model/hermite.h"
+#include "engine/model/mass.h"
 #include "tests/engine/plain_element.h"
 
 namespace plumb {
@@ -114,6 +116,10 @@ std::vector<double> block_columns(int elements) {
   return std::vector<double>(static_cast<std::size_t>(block_column_size * (elements + 1)), 7);
 }
 
+std::vector<double> factors_of(int elements) {
+  return std::vector<double>(static_cast<std::size_t>(factor_size * (elements + 1)), 7);
+}
+
 TEST_P(KernelsOf, SystemIsThatOfTheElementsOneByOne) {
   for (const int n : lengths)
     for (const double spread : {0.0, 1e-6, 0.1, 0.4})
@@ -137,11 +143,114 @@ TEST_P(KernelsOf, FactorsSolveThePositiveDefiniteSystem) {
     best_kernels().system(constants(n), 1, 1e-6, n, q.data(), columns.data());
     const Eigen::MatrixXd A = full(columns);
     Eigen::VectorXd x = A * expected;
-    ASSERT_EQ(best_kernels().factor(n + 1, columns.data()), -1) << n << " elements";
-    best_kernels().solve(n + 1, columns.data(), x.data());
+    std::vector<double> factors = factors_of(n);
+    ASSERT_EQ(best_kernels().factor(n + 1, columns.data(), factors.data()), -1) << n << " elements";
+    best_kernels().solve(n + 1, factors.data(), x.data());
     EXPECT_LE((A * (x - expected)).norm(), 1e-11 * (A * expected).norm()) << n << " elements";
     EXPECT_LE((x - expected).norm(), 1e-6 * expected.norm()) << n << " elements";
   }
+}
+
+constexpr SupportsSpec some_supports[] = {{Support::free, Support::free},
+                                          {Support::pinned, Support::free},
+                                          {Support::clamped, Support::pinned},
+                                          {Support::free, Support::clamped}};
+
+TEST_P(KernelsOf, FactorsMadeAtOnceAreThoseOfTheMatrixWithItsSupports) {
+  for (const SupportsSpec& supports : some_supports)
+    for (const int n : lengths) {
+      const Eigen::VectorXd q = chain(n, 0.02, 16);
+      const SupportProjection ends(supports, Vec3(0.6, 0, -0.8), n + 1);
+      BlockTridiagonal A(n + 1);
+      best_kernels().system(constants(n), 1, 1e-6, n, q.data(), A.data());
+      ends.apply(A);
+      std::vector<double> expected = factors_of(n), seen = expected;
+      ASSERT_EQ(best_kernels().factor(n + 1, A.data(), expected.data()), -1) << n << " elements";
+      EXPECT_EQ(best_kernels().system_factors(constants(n), 1, 1e-6, n, ends, q.data(), seen.data()), -1);
+      EXPECT_EQ(seen, expected) << n << " elements";
+    }
+}
+
+/// An implicit stage with all its terms, and the arrays that they are made of.
+struct Stage {
+  explicit Stage(int n)
+      : q(chain(n, 0.02, 31)), v(chain(n, 0.3, 32)), a(chain(n, 0.3, 33)), known(chain(n, 0.01, 34)) {
+    terms.base = Sum(q).plus(1e-4, v);
+    terms.mass = 0.8;
+    terms.force = 0.7;
+    terms.end_force = end_force;
+    terms.before = {0.3, v.data()};
+    terms.known = {0.2, known.data()};
+    terms.from = {-0.5, a.data()};
+  }
+
+  Eigen::VectorXd q, v, a, known;
+  double end_force[3] = {0.1, -0.2, 0.3};
+  StageTerms terms{.base = Sum(q), .reach = 1e-6};
+};
+
+TEST_P(KernelsOf, ACorrectionIsTheResidualSolved) {
+  constexpr double stiffness_factor = 1e-6;
+  for (const SupportsSpec& supports : some_supports)
+    for (const int n : lengths) {
+      const Stage stage(n);
+      const StageTerms& terms = stage.terms;
+      const SupportProjection ends(supports, Vec3(0.6, 0, -0.8), n + 1);
+      const Eigen::VectorXd x = -0.5 * stage.a, at = stage.q + 1e-4 * stage.v + terms.reach * x;
+      const MassMatrix mass(constants(n), n, ends);
+      Eigen::VectorXd f(at.size()), inertia;
+      best_kernels().force(constants(n), n, at.data(), f.data());
+      f.segment<3>(6 * n) += Vec3(0.1, -0.2, 0.3);
+      mass.multiply(x + 0.3 * stage.v, inertia);
+      Eigen::VectorXd change = 0.7 * f + 0.2 * stage.known - 0.8 * inertia;
+      ends.apply(change);
+      std::vector<double> factors = factors_of(n);
+      ASSERT_EQ(best_kernels().system_factors(constants(n), 0.8, stiffness_factor, n, ends, at.data(),
+                                              factors.data()),
+                -1);
+      best_kernels().solve(n + 1, factors.data(), change.data());
+      double position = 0, slope = 0;
+      for (int node = 0; node <= n; ++node) {
+        position = std::max(position, change.segment<3>(6 * node).lpNorm<Eigen::Infinity>());
+        slope = std::max(slope, change.segment<3>(6 * node + 3).lpNorm<Eigen::Infinity>());
+      }
+      // With the matrix made anew, and then with the one at hand.
+      for (const double renewed : {stiffness_factor, 0.0}) {
+        Eigen::VectorXd seen(at.size());
+        const StageCorrection result =
+            best_kernels().correct(constants(n), n, ends, terms, renewed, factors.data(), seen.data());
+        EXPECT_EQ(result.unsound, -1);
+        EXPECT_EQ(result.singular, -1);
+        EXPECT_TRUE(result.finite);
+        EXPECT_LE((seen - x - change).norm(), 1e-11 * change.norm()) << n << " elements";
+        EXPECT_NEAR(result.position, position, 1e-11 * change.norm());
+        EXPECT_NEAR(result.slope, slope, 1e-11 * change.norm());
+      }
+    }
+}
+
+TEST_P(KernelsOf, ACorrectionThatGoesWrongSaysWhere) {
+  const SupportProjection ends({}, Vec3::UnitX(), 1);
+  for (const int n : lengths)
+    for (int bad = 0; bad < n; ++bad) {
+      std::vector<double> factors = factors_of(n);
+      Eigen::VectorXd x(6 * (n + 1));
+      const auto correct = [&](const Stage& stage, double stiffness_factor) {
+        return best_kernels().correct(constants(n), n, ends, stage.terms, stiffness_factor, factors.data(),
+                                      x.data());
+      };
+      Stage sound(n);
+      ASSERT_EQ(correct(sound, 1e-6).singular, -1);
+      // A stiffness that takes more off the mass than there is.
+      EXPECT_GE(correct(sound, -1).singular, 0);
+      ASSERT_EQ(correct(sound, 1e-6).singular, -1);
+      Stage collapsed(n);
+      collapsed.q[6 * bad + 7] = std::numeric_limits<double>::quiet_NaN();
+      EXPECT_EQ(correct(collapsed, 0).unsound, bad) << n << " elements";
+      Stage infinite(n);
+      infinite.known[6 * bad + 1] = std::numeric_limits<double>::infinity();
+      EXPECT_FALSE(correct(infinite, 0).finite) << n << " elements";
+    }
 }
 
 TEST_P(KernelsOf, AMatrixThatIsNotPositiveDefiniteIsToldByItsNode) {
@@ -151,8 +260,60 @@ TEST_P(KernelsOf, AMatrixThatIsNotPositiveDefiniteIsToldByItsNode) {
         std::vector<double> columns = block_columns(n);
         best_kernels().system(constants(n), 1, 0, n, chain(n, 0, 1).data(), columns.data());
         columns[static_cast<std::size_t>(block_column_size * bad + 12 * 4 + 4)] = entry;
-        EXPECT_EQ(best_kernels().factor(n + 1, columns.data()), bad) << n << " elements, " << entry;
+        std::vector<double> factors = factors_of(n);
+        EXPECT_EQ(best_kernels().factor(n + 1, columns.data(), factors.data()), bad)
+            << n << " elements, " << entry;
       }
+}
+
+TEST_P(KernelsOf, AccelerationIsTheForceSolvedWithTheMassBesideItsSums) {
+  std::vector<const Kernels*> built{&plain_kernels()};
+  if (v3_kernels() != nullptr) built.push_back(v3_kernels());
+  std::vector<int> long_too(std::begin(lengths), std::end(lengths));
+  long_too.insert(long_too.end(), {127, 128, 129, 130, 260});
+  const double end_force[] = {0.1, -0.2, 0.3};
+  for (const Kernels* kernels : built)
+    for (const int n : long_too) {
+      const MassMatrix mass(constants(n), n,
+                            SupportProjection({.first = Support::pinned}, Vec3::UnitX(), n + 1));
+      const Eigen::VectorXd q = chain(n, 0.01, 17), v = chain(n, 0.3, 18), w = chain(n, 0.3, 19);
+      const Eigen::VectorXd at = q + 1e-3 * v + 2e-3 * w;
+      Eigen::VectorXd expected(q.size()), scratch;
+      kernels->force(constants(n), n, at.data(), expected.data());
+      expected.segment<3>(6 * n) += Vec3(end_force[0], end_force[1], end_force[2]);
+      mass.solve(expected, scratch);
+      for (const bool kept : {false, true}) {
+        Eigen::VectorXd a(q.size()), q_kept(q.size()), before(q.size()), after = w;
+        Sum coordinates = Sum(q).plus(1e-3, v).plus(2e-3, w);
+        if (kept) coordinates.into(q_kept);
+        const std::vector<Sum> first{Sum(v).plus(2, w).into(before)},
+            then{Sum(after).plus(0.5, a).into(after)};
+        EXPECT_EQ(kernels->acceleration(constants(n), n, *mass.factors(), end_force,
+                                        {coordinates, first, then}, a.data()),
+                  -1);
+        EXPECT_LE((a - expected).norm(), 1e-14 * expected.norm()) << n << " elements";
+        if (kept) {
+          EXPECT_LE((q_kept - at).norm(), 1e-15 * at.norm()) << n << " elements";
+        }
+        EXPECT_LE((before - (v + 2 * w)).norm(), 1e-15 * before.norm()) << n << " elements";
+        EXPECT_LE((after - (w + 0.5 * a)).norm(), 1e-15 * after.norm()) << n << " elements";
+      }
+    }
+}
+
+TEST_P(KernelsOf, SumsOfAnyNumberOfTermsAreThoseOfEachCoordinate) {
+  for (const int n : {1, 2, 7})
+    for (int count = 0; count <= Sum::most; ++count) {
+      const Eigen::VectorXd first = chain(n, 0.3, 20), term = chain(n, 0.3, 21);
+      Eigen::VectorXd result = Eigen::VectorXd::Zero(first.size()), expected = first;
+      Sum sum(first);
+      for (int k = 0; k < count; ++k) {
+        sum.plus(1.0 + k, term);
+        expected += (1.0 + k) * term;
+      }
+      best_kernels().add_up(n + 1, sum.into(result));
+      EXPECT_EQ(result, expected) << n << " elements, " << count << " terms";
+    }
 }
 
 TEST_P(KernelsOf, EnergyIsThatOfTheElementsOneByOne) {
@@ -184,11 +345,21 @@ TEST_P(KernelsOf, ResultsAreTheSameBitsOnEveryInstructionSet) {
     plain_kernels().system(constants(n), 1, 1e-6, n, q.data(), k.data());
     v3_kernels()->system(constants(n), 1, 1e-6, n, q.data(), l.data());
     EXPECT_EQ(k, l) << n << " elements";
-    EXPECT_EQ(plain_kernels().factor(n + 1, k.data()), v3_kernels()->factor(n + 1, l.data()));
-    EXPECT_EQ(k, l) << n << " elements, factored";
-    plain_kernels().solve(n + 1, k.data(), x.data());
-    v3_kernels()->solve(n + 1, l.data(), y.data());
+    std::vector<double> a = factors_of(n), b = a;
+    EXPECT_EQ(plain_kernels().factor(n + 1, k.data(), a.data()),
+              v3_kernels()->factor(n + 1, l.data(), b.data()));
+    EXPECT_EQ(a, b) << n << " elements, factored";
+    plain_kernels().solve(n + 1, a.data(), x.data());
+    v3_kernels()->solve(n + 1, b.data(), y.data());
     EXPECT_EQ(x, y) << n << " elements, solved";
+    for (const double stiffness_factor : {1e-6, 0.0}) {
+      const Stage stage(n);
+      const SupportProjection ends({.first = Support::pinned}, Vec3::UnitX(), n + 1);
+      plain_kernels().correct(constants(n), n, ends, stage.terms, stiffness_factor, a.data(), x.data());
+      v3_kernels()->correct(constants(n), n, ends, stage.terms, stiffness_factor, b.data(), y.data());
+      EXPECT_EQ(a, b) << n << " elements, renewed";
+      EXPECT_EQ(x, y) << n << " elements, corrected";
+    }
     plain_kernels().energy(constants(n), n, q.data(), energies, energies + 1);
     v3_kernels()->energy(constants(n), n, q.data(), energies + 2, energies + 3);
     EXPECT_EQ(f, other) << n << " elements: forces differ by " << (f - other).lpNorm<Eigen::Infinity>();
