@@ -149,6 +149,8 @@ WorkPrecision work_precision_from_json(const Json& json) {
   read(json, "fixed_elements", study.fixed_elements);
   study.end = number(json, "end");
   study.length = number(json, "length");
+  // Reports of earlier versions have none.
+  if (json.contains("fastest_frequency")) study.fastest_frequency = number(json, "fastest_frequency");
   for (const Json& item : json.at("runs")) study.runs.push_back(run_of(item));
   for (const Json& item : json.at("curves")) study.curves.push_back(curve_of(item));
   for (const Json& item : json.at("mesh_references")) study.mesh_references.push_back(reference_of(item));

@@ -88,6 +88,7 @@ Json work_precision_json(const WorkPrecision& study) {
             {"fixed_elements", study.fixed_elements},
             {"end", study.end},
             {"length", study.length},
+            {"fastest_frequency", study.fastest_frequency},
             {"runs", Json::array()},
             {"curves", Json::array()},
             {"mesh_references", Json::array()}};

@@ -111,6 +111,7 @@ MethodEntry arkode_dirk_entry() {
   info.summary = "SUNDIALS ARKODE: diagonally implicit, L-stable Runge-Kutta pairs";
   info.source = "Reynolds et al. 2023; Kennedy and Carpenter 2016, 2019; Bank et al. 1985 for order 2";
   info.order = "2 to 5";
+  info.stage_order = 2;  // the first stage is explicit
   info.conserves = "momentum";
   info.use = "stiff or fine cables at moderate and tight accuracy";
   info.family = MethodFamily::implicit_stages;

@@ -268,6 +268,7 @@ MethodEntry gauss_entry() {
   info.summary = "Gauss collocation of three stages";
   info.source = "Hairer, Lubich and Wanner 2006, section II.1.3";
   info.order = "6";
+  info.stage_order = stages;
   info.conserves = "momentum, angular momentum; symplectic";
   info.use = "stiff or fine cables to high accuracy";
   info.family = MethodFamily::implicit_stages;

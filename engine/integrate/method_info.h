@@ -48,6 +48,9 @@ struct MethodInfo {
   bool takes_step = false;
   bool takes_tolerances = false;
   std::vector<MethodParameter> parameters;
+  /// Of an implicit Runge-Kutta method: down to it the order is reduced where steps are long against the
+  /// fastest vibration (Hairer and Wanner 1996, section IV.15). 0: of another kind.
+  int stage_order = 0;
 };
 
 /// rtol where the case gives none.

@@ -158,4 +158,9 @@ FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q)
   return result;
 }
 
+double fastest_frequency_at_start(const Case& spec) {
+  const Cable cable(spec);
+  return cable.is_rigid() ? 0 : fastest_vibration(cable, cable.start_q(spec.start)).frequency;
+}
+
 }  // namespace plumb

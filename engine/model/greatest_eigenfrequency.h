@@ -18,4 +18,7 @@ struct FastestVibration {
 /// and to 1e-3 at worst, along a fine and even cable held at both ends.
 FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q);
 
+/// The ω of a case's cable at its start, rad/s; 0 of a rigid rod.
+double fastest_frequency_at_start(const Case& spec);
+
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "engine/integrate/integrate.h"
+#include "engine/model/greatest_eigenfrequency.h"
 #include "engine/study/grid_convergence.h"
 #include "engine/study/parallel.h"
 #include "engine/study/study_curves.h"
@@ -176,6 +177,7 @@ class Study {
     study.fixed_elements = fixed_elements();
     study.end = spec_.time.end;
     study.length = spec_.cable.length;
+    study.fastest_frequency = fastest_frequency_at_start(spec_);
     for (Task& task : tasks_) {
       StudyCurve& curve = study.curves.emplace_back();
       curve.label = task.plan->label;

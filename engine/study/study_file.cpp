@@ -9,6 +9,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
+#include "engine/model/greatest_eigenfrequency.h"
 #include "engine/output/checked_file.h"
 #include "engine/output/hdf5.h"
 #include "engine/output/stored_parts.h"
@@ -332,6 +333,7 @@ Study read_study(const std::string& path) {
     result.provenance = read_provenance(file);
     result.title = study.loaded.spec.title;
     result.length = study.loaded.spec.cable.length;
+    result.fastest_frequency = fastest_frequency_at_start(study.loaded.spec);
     result.quick = file.integer("quick") != 0;
     result.fixed_elements = elements_of(file.integer("fixed_elements"), "fixed_elements");
     result.end = file.number("end");

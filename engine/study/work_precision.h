@@ -103,6 +103,8 @@ struct WorkPrecision {
   int fixed_elements = 0;  ///< the mesh of the first question
   double end = 0;          ///< s
   double length = 0;       ///< of the cable, m
+  /// Of the fastest vibration of the case's mesh at the start, rad/s; 0: none.
+  double fastest_frequency = 0;
   std::vector<StudyRun> runs;
   std::vector<StudyCurve> curves;
   std::vector<CertifiedReference> mesh_references;  ///< one a mesh

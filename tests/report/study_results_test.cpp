@@ -63,6 +63,35 @@ TEST(StudyResults, AnOrderIsHeldAgainstTheStatedOneFromBothSides) {
   }
 }
 
+// The made runs show order 4 with steps from 1e-2 to 2.5e-3 s.
+TEST(StudyResults, OnlyStiffStepsOfImplicitStagesMayShowAReducedOrder) {
+  struct Example {
+    const char* method;
+    const char* stated;
+    double frequency;  // rad/s
+    bool reduced, passes;
+  };
+  for (const Example& example : {Example{"arkode-dirk", "5", 401, true, true},
+                                 {"arkode-dirk", "5", 399, false, false},
+                                 {"arkode-dirk", "3", 401, true, false},
+                                 {"gauss", "6", 401, true, true},
+                                 {"rk4", "5", 401, false, false},
+                                 {"unknown", "5", 401, false, false}}) {
+    Study study = made_study();
+    StudyCurve& curve = study.result.curves[0];
+    curve.method = example.method;
+    curve.stated_order = example.stated;
+    study.result.fastest_frequency = example.frequency;
+    evaluate(study.result);
+    const Verdict verdict = verdict_named(study_verdicts(study.result), "order: rk4");
+    EXPECT_EQ(verdict.status, example.passes ? VerdictStatus::passed : VerdictStatus::failed)
+        << example.method << ", order " << example.stated << ", " << example.frequency
+        << " rad/s: " << verdict.message;
+    EXPECT_EQ(verdict.message.find("stage order") != std::string::npos, example.reduced) << verdict.message;
+    EXPECT_NE(verdict.criterion.starts_with("|observed"), example.reduced) << verdict.criterion;
+  }
+}
+
 TEST(StudyResults, NoOrderIsJudgedWhereNoneIsStatedOrSeen) {
   Study study = made_study();
   study.result.curves[0].stated_order = "1 to 5";
