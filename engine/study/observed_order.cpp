@@ -9,9 +9,10 @@ namespace {
 struct Slopes {
   double mean, spread;
 
+  double allowed_spread() const { return 0.1 + 0.1 * mean; }
   bool agree() const {
     constexpr double least_slope = 0.5;
-    return mean >= least_slope && spread <= 0.1 + 0.1 * mean;
+    return mean >= least_slope && spread <= allowed_spread();
   }
 };
 
@@ -64,7 +65,13 @@ ObservedOrder observed_order(std::span<const StepError> curve, double floor, dou
     while (first > 0 && usable(first - 1) &&
            (first == last || slopes_between(curve, first - 1, last).agree()))
       --first;
-    if (last - first + 1 >= fewest) return fit(curve.subspan(first, last - first + 1));
+    if (last - first + 1 < fewest) continue;
+    const Slopes seen = slopes_between(curve, first, last);
+    for (std::size_t k = last; k + 1 < curve.size(); ++k)
+      if (usable(k) && usable(k + 1) &&
+          slopes_between(curve, k, k + 1).mean > seen.mean + seen.allowed_spread())
+        return {};
+    return fit(curve.subspan(first, last - first + 1));
   }
   return {};
 }

@@ -16,7 +16,8 @@ struct StepError {
 /// from the largest step to the smallest. The part is the finest stretch of three or more consecutive runs
 /// with errors between `floor` and `ceiling` (m) whose local slopes agree to 0.1 and a tenth of their mean
 /// and are at least 0.5 on average: above it the step is too large for the theory to hold, below it something
-/// other than the step errs.
+/// other than the step errs. Finer runs may only fall more slowly: where the error falls faster below, the
+/// stretch is not asymptotic, and there is none.
 ObservedOrder observed_order(std::span<const StepError> curve, double floor, double ceiling);
 
 }  // namespace plumb

@@ -38,6 +38,16 @@ TEST(StudyObservedOrder, LeavesOutAFloorAndCoarseRunsOfAnotherSlope) {
   EXPECT_DOUBLE_EQ(seen.smallest_step, curve[6].step);
 }
 
+TEST(StudyObservedOrder, AStretchBelowWhichTheErrorFallsFasterIsNotAsymptotic) {
+  // Order 1 down to the fourth run, then one step of each slope.
+  for (const auto& [slope, seen] : {std::pair{0.1, 1.0}, {1.19, 1.0}, {1.35, -1.0}, {4.0, -1.0}}) {
+    std::vector<StepError> curve = power_law(1, 1e-2, 2, 6);
+    curve[4].error = curve[3].error * std::pow(2, -slope);
+    curve[5].error = curve[4].error * std::pow(2, -0.2);
+    EXPECT_NEAR(observed_order(curve, 0, 1e3).order, seen, 0.05) << slope;
+  }
+}
+
 TEST(StudyObservedOrder, UsesOnlyErrorsBetweenFloorAndCeiling) {
   const std::vector<StepError> curve = power_law(3, 1e-1, 2, 8);
   const ObservedOrder seen = observed_order(curve, 0.9 * curve[6].error, 1.1 * curve[2].error);
