@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "report/four_digits.h"
 #include "report/page_template.h"
 
 namespace plumb {
@@ -15,11 +16,6 @@ using kainjow::mustache::data;
 
 std::string text(const Document& object, const char* key) {
   return object.at(key).get<std::string>();
-}
-
-/// What is not finite has no number in JSON.
-std::string number(const Document& value) {
-  return value.is_number() ? fmt::format("{:.4g}", value.get<double>()) : "not finite";
 }
 
 data column_rows(const Document& given) {
@@ -44,9 +40,9 @@ data distance_rows(const Document& given) {
     row["column"] = text(distance, "column");
     row["unit"] = text(distance, "unit");
     row["points"] = fmt::format("{} of {}", distance.at("points").get<long>(), text(distance, "times_of"));
-    row["max"] = any ? number(distance.at("max")) : "not run";
-    row["max_time"] = any ? number(distance.at("max_time")) : "–";
-    row["rms"] = any ? number(distance.at("rms")) : "not run";
+    row["max"] = any ? four_digits(distance.at("max")) : "not run";
+    row["max_time"] = any ? four_digits(distance.at("max_time")) : "–";
+    row["rms"] = any ? four_digits(distance.at("rms")) : "not run";
     rows.push_back(row);
   }
   return rows;
@@ -64,8 +60,8 @@ std::string given_runs_html(const Document& document) {
     run["has_program"] = !text(given, "program").empty();
     run["is_reported"] = given.at("reported").get<bool>();
     run["outputs"] = std::to_string(given.at("outputs").get<long>());
-    run["first_time"] = number(given.at("first_time"));
-    run["last_time"] = number(given.at("last_time"));
+    run["first_time"] = four_digits(given.at("first_time"));
+    run["last_time"] = four_digits(given.at("last_time"));
     run["interpolated"] = text(given, "interpolated");
     data notes{data::type::list};
     for (const Document& note : given.at("notes")) notes.push_back(data{"note", note.get<std::string>()});

@@ -8,6 +8,7 @@
 #include "report/changes_html.h"
 #include "report/conclusion.h"
 #include "report/economy_section.h"
+#include "report/four_digits.h"
 #include "report/given_html.h"
 #include "report/page_scripts.h"
 #include "report/page_tables.h"
@@ -28,15 +29,6 @@ extern const std::string_view formulation_mustache;
 namespace {
 
 using kainjow::mustache::data;
-
-std::string number(double value) {
-  return fmt::format("{:.4g}", value);
-}
-
-/// What is not finite has no number in JSON.
-std::string number(const Document& value) {
-  return value.is_number() ? number(value.get<double>()) : "not finite";
-}
 
 data figure_rows(const std::vector<Picture>& pictures) {
   data rows{data::type::list};
@@ -120,8 +112,8 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["animation_width"] = std::to_string(pictures.page_animation_width);
   page["animation_height"] = std::to_string(pictures.page_animation_height);
   page["frames"] = counted(pictures.frames, "frame", "frames");
-  page["frame_rate"] = number(pictures.frame_rate);
-  page["end_time"] = number(solve.at("end_time"));
+  page["frame_rate"] = four_digits(pictures.frame_rate);
+  page["end_time"] = four_digits(solve.at("end_time"));
   page["given"] = given;
   page["computed_by"] = given ? text("computed_by") : std::string();
   page["reported"] = document.value("reported", "Plumb");
@@ -132,8 +124,9 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["has_given_runs"] = document.contains("given_runs");
   if (document.contains("given_runs")) page["given_runs"] = given_runs_html(document);
   if (!energy.is_null()) {
-    page["first_kinetic"] = energy.at("kinetic").empty() ? "not run" : number(energy.at("kinetic").front());
-    page["drift"] = number(energy.at("drift"));
+    page["first_kinetic"] =
+        energy.at("kinetic").empty() ? "not run" : four_digits(energy.at("kinetic").front());
+    page["drift"] = four_digits(energy.at("drift"));
     page["drift_in_words"] = energy.at("drift_in_words").get<std::string>();
   }
   page["cost"] = cost_rows(document);

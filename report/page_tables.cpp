@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "report/four_digits.h"
 #include "report/page_template.h"
 
 namespace plumb {
@@ -9,11 +10,6 @@ namespace {
 
 using kainjow::mustache::data;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
-
-/// What is not finite has no number in JSON.
-std::string number(const Document& value) {
-  return value.is_number() ? fmt::format("{:.4g}", value.get<double>()) : "not finite";
-}
 
 std::string text(const Document& object, const char* key) {
   return object.at(key).get<std::string>();
@@ -51,12 +47,12 @@ data error_rows(const Document& document) {
     row["published"] = reference != nullptr && reference->at("kind") == "published";
     row["unit"] = unit;
     row["points"] = std::to_string(error.at("points").get<long>());
-    row["max"] = any ? number(error.at("max")) : "not run";
-    row["max_time"] = any ? number(error.at("max_time")) : "–";
-    row["rms"] = any ? number(error.at("rms")) : "not run";
-    row["max_relative"] = length ? number(error.at("max_relative_to_length")) : "–";
-    row["rms_relative"] = length ? number(error.at("rms_relative_to_length")) : "–";
-    row["uncertainty"] = number(error.at("reference_uncertainty"));
+    row["max"] = any ? four_digits(error.at("max")) : "not run";
+    row["max_time"] = any ? four_digits(error.at("max_time")) : "–";
+    row["rms"] = any ? four_digits(error.at("rms")) : "not run";
+    row["max_relative"] = length ? four_digits(error.at("max_relative_to_length")) : "–";
+    row["rms_relative"] = length ? four_digits(error.at("rms_relative_to_length")) : "–";
+    row["uncertainty"] = four_digits(error.at("reference_uncertainty"));
     row["basis"] = text(error, "reference_uncertainty_basis");
     rows.push_back(row);
   }
@@ -95,14 +91,14 @@ data cost_rows(const Document& document) {
   if (document.contains("computed_by")) {
     rows.emplace_back("computed by", text(document, "computed_by"));
     rows.emplace_back("outputs", count("outputs"));
-    rows.emplace_back("last output", number(solve.at("end_time")) + " s");
+    rows.emplace_back("last output", four_digits(solve.at("end_time")) + " s");
     rows.emplace_back("energy, steps, evaluations and time",
                       "not known: computed by " + text(document, "reported"));
     return pair_rows(rows);
   }
   rows.emplace_back("method", text(solve, "method"));
   rows.emplace_back("elements", count("elements"));
-  rows.emplace_back("time reached", number(solve.at("end_time")) + " s");
+  rows.emplace_back("time reached", four_digits(solve.at("end_time")) + " s");
   rows.emplace_back("steps (rejected)", count("steps") + " (" + count("rejected_steps") + ")");
   if (const std::string cuts =
           step_cuts(solve.at("rejected_steps").get<long>(), solve.at("shortest_cut").get<double>());
@@ -113,12 +109,12 @@ data cost_rows(const Document& document) {
   rows.emplace_back("factorizations of the block banded matrix", count("factorizations"));
   rows.emplace_back("Newton iterations", count("newton_iterations"));
   const Document& seconds = solve.at("solve_seconds");
-  rows.emplace_back("time loop", seconds.get<double>() < 0 ? "not run" : number(seconds) + " s");
+  rows.emplace_back("time loop", seconds.get<double>() < 0 ? "not run" : four_digits(seconds) + " s");
   rows.emplace_back("outputs (interpolated)",
                     fmt::format("{} ({})", count("outputs"), count("interpolated_outputs")));
   if (solve.at("constraint_drift").get<double>() >= 0) {
-    rows.emplace_back("greatest drift of the joint", number(solve.at("constraint_drift")) + " m");
-    rows.emplace_back("greatest reaction at the joint", number(solve.at("greatest_reaction")) + " N");
+    rows.emplace_back("greatest drift of the joint", four_digits(solve.at("constraint_drift")) + " m");
+    rows.emplace_back("greatest reaction at the joint", four_digits(solve.at("greatest_reaction")) + " N");
   }
   return pair_rows(rows);
 }

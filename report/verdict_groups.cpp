@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "report/four_digits.h"
 #include "report/page_template.h"
 
 namespace plumb {
@@ -36,13 +37,9 @@ constexpr std::array kind_texts{
     KindText{VerdictKind::performance, "Performance",
              "Work against error: what does an answer cost? It does not make the answer right."}};
 
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.4g}", value) : "not finite";
-}
-
 /// Shares and counts have the unit 1, which is not written.
 std::string with_unit(double value, const std::string& unit) {
-  return number(value) + (unit == "1" ? "" : " " + unit);
+  return four_digits(value) + (unit == "1" ? "" : " " + unit);
 }
 
 /// Failed before not run before passed.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/four_digits.h"
 #include "report/page_template.h"
 
 namespace plumb {
@@ -13,10 +14,6 @@ extern const std::string_view verdicts_mustache;
 namespace {
 
 using kainjow::mustache::data;
-
-std::string number(double value) {
-  return fmt::format("{:.4g}", value);
-}
 
 data verdict_rows(const std::vector<Verdict>& verdicts) {
   std::vector<const Verdict*> order;
@@ -40,7 +37,7 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
     row["criterion"] = verdict->criterion;
     row["found"] = verdict->status == VerdictStatus::not_run
                        ? "not run"
-                       : number(verdict->value) + (verdict->unit == "1" ? "" : " " + verdict->unit);
+                       : four_digits(verdict->value) + (verdict->unit == "1" ? "" : " " + verdict->unit);
     // Where nothing at all is allowed, there is no share of it.
     row["share"] = verdict->status == VerdictStatus::not_run || !(verdict->limit > 0)
                        ? "–"
