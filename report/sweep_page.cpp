@@ -125,14 +125,4 @@ std::string to_sweep_page(const SweepResults& results, const std::vector<Picture
   return fill_in(sweep_page_mustache, page);
 }
 
-std::string write_sweep_report(const SweepResults& results, const std::vector<Picture>& pictures,
-                               OutputFolder& folder) {
-  write_file(folder.file("index.html"), to_sweep_page(results, pictures));
-  std::string json = to_json(results);
-  write_file(folder.file("results.json"), json);
-  write_file(folder.file("junit.xml"), to_junit(results));
-  write_file(folder.file("summary.md"), to_summary(results));
-  return json;
-}
-
 }  // namespace plumb

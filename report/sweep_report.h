@@ -19,9 +19,4 @@ std::vector<Picture> draw_sweep(const Sweep& sweep, OutputFolder& folder);
 /// The page of a sweep: one file that opens offline and needs no scripts.
 std::string to_sweep_page(const SweepResults& results, const std::vector<Picture>& pictures);
 
-/// Writes the report of a sweep into a folder: index.html with the pictures it has, results.json, junit.xml
-/// and summary.md. Returns what results.json holds. Throws OutputError.
-std::string write_sweep_report(const SweepResults& results, const std::vector<Picture>& pictures,
-                               OutputFolder& folder);
-
 }  // namespace plumb

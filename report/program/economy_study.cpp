@@ -3,6 +3,7 @@
 #include "engine/study/run_economy.h"
 #include "report/economy_gauge.h"
 #include "report/economy_results.h"
+#include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/program/work.h"
 
@@ -18,20 +19,11 @@ ExitStatus report_on(const EconomyStudy& study, OutputFolder& folder, Stages& st
   stages.end();
   const EconomyResults results = evaluate_economy(study, stages);
   stages.begin("report");
-  write_file(folder.file("index.html"), to_economy_page(results, pictures));
-  const std::string json = to_json(results);
-  write_file(folder.file("results.json"), json);
-  write_file(folder.file("junit.xml"), to_junit(results));
-  write_file(folder.file("summary.md"), to_summary(results));
-  folder.commit();
-  stages.end();
+  const StudyReport report = study_report(results, to_economy_page(results, pictures));
+  put_in_place(report, folder, stages);
   for (const std::string& line : need_lines(study)) talk.line(line);
   say_verdicts(results.verdicts, talk);
-  talk.line(headline(results));
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(json);
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+  return say_end(report, folder, stages, options, talk);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/output/file_writing.h"
 #include "engine/study/run_stability.h"
+#include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/program/work.h"
 #include "report/stability_figures.h"
@@ -18,27 +19,18 @@ void say_words(const Stability& study, Talk& talk) {
     if (map.axis == axis) talk.line(fmt::format("  {}: {}", map.label, map.in_words));
 }
 
-ExitStatus report(const StabilityStudyFile& study, OutputFolder& folder, Stages& stages,
-                  const Options& options, Talk& talk) {
+ExitStatus report_on(const StabilityStudyFile& study, OutputFolder& folder, Stages& stages,
+                     const Options& options, Talk& talk) {
   write_file(folder.file(study_json_name), encode_stability(study));
   stages.begin("figures");
   const std::vector<Picture> pictures = draw_stability(study.result, folder);
   stages.begin("report");
   const StabilityResults results = evaluate_stability(study, stages);
-  write_file(folder.file("index.html"), to_stability_page(results, pictures));
-  const std::string json = to_json(results);
-  write_file(folder.file("results.json"), json);
-  write_file(folder.file("junit.xml"), to_junit(results));
-  write_file(folder.file("summary.md"), to_summary(results));
-  folder.commit();
-  stages.end();
+  const StudyReport report = study_report(results, to_stability_page(results, pictures));
+  put_in_place(report, folder, stages);
   say_words(study.result, talk);
   say_verdicts(results.verdicts, talk);
-  talk.line(headline(results));
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(json);
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+  return say_end(report, folder, stages, options, talk);
 }
 
 }  // namespace
@@ -51,12 +43,12 @@ ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stage
                              talk.progress(part, share);
                            })};
   talk.end_progress();
-  return report(study, folder, stages, options, talk);
+  return report_on(study, folder, stages, options, talk);
 }
 
 ExitStatus stability_report(const std::string& json, OutputFolder& folder, Stages& stages,
                             const Options& options, Talk& talk) {
-  return report(decode_stability(json, options.input), folder, stages, options, talk);
+  return report_on(decode_stability(json, options.input), folder, stages, options, talk);
 }
 
 }  // namespace plumb

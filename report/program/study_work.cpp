@@ -8,8 +8,9 @@
 #include "engine/output/file_writing.h"
 #include "engine/study/cheapest.h"
 #include "engine/study/run_work_precision.h"
+#include "report/program/study_end.h"
+#include "report/study_page.h"
 #include "report/study_pictures.h"
-#include "report/study_report.h"
 
 namespace plumb {
 
@@ -123,9 +124,8 @@ ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages
   const std::vector<Picture> pictures = draw_study(study.result, folder);
   const StudyResults results = evaluate_study(study, stages);
   stages.begin("report");
-  const std::string json = write_study_report(results, pictures, folder);
-  folder.commit();
-  stages.end();
+  const StudyReport report = study_report(results, to_study_page(results, pictures));
+  put_in_place(report, folder, stages);
   say_orders(study.result, talk);
   say_front(study.result, talk);
   say_cheapest(fmt::format("Cheapest time integration of {}",
@@ -134,12 +134,8 @@ ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages
   say_cheapest("Cheapest method and mesh against the converged solution", study.result.total_cheapest, talk);
   say_references(study.result, talk);
   say_verdicts(results.verdicts, talk);
-  talk.line(headline(results));
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(json);
-  if (!results.any_completed()) return ExitStatus::solver_failed;
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+  const ExitStatus status = say_end(report, folder, stages, options, talk);
+  return results.any_completed() ? status : ExitStatus::solver_failed;
 }
 
 }  // namespace plumb

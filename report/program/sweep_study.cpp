@@ -1,6 +1,7 @@
 #include "engine/output/file_writing.h"
 #include "engine/study/run_sweep.h"
 #include "engine/study/sweep_json.h"
+#include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/program/work.h"
 #include "report/sweep_report.h"
@@ -16,20 +17,15 @@ ExitStatus report_on(const Sweep& sweep, OutputFolder& folder, Stages& stages, c
   const std::vector<Picture> pictures = draw_sweep(sweep, folder);
   const SweepResults results = evaluate_sweep(sweep, stages);
   stages.begin("report");
-  const std::string json = write_sweep_report(results, pictures, folder);
-  folder.commit();
-  stages.end();
+  const StudyReport report = study_report(results, to_sweep_page(results, pictures));
+  put_in_place(report, folder, stages);
   for (const std::string& line : outcome_lines(sweep)) talk.line(line);
   for (const SweepRun& run : sweep.runs)
     if (const std::string trouble = trouble_of(run, sweep.spec.tolerance); !trouble.empty())
       talk.line(talk.bad("case " + std::to_string(run.number)) + ": " + trouble + ": " +
                 command_of(sweep, run));
   say_verdicts(results.verdicts, talk);
-  talk.line(headline(results));
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(json);
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+  return say_end(report, folder, stages, options, talk);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "engine/output/file_writing.h"
 #include "engine/study/variants_file.h"
 #include "render/gl_context.h"
+#include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/program/work.h"
 #include "report/variants_figures.h"
@@ -39,19 +40,10 @@ ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Sta
   stages.end();
   const VariantsResults results = evaluate_variants(study, stages);
   stages.begin("report");
-  write_file(folder.file("index.html"), to_variants_page(results, pictures));
-  const std::string json = to_json(results);
-  write_file(folder.file("results.json"), json);
-  write_file(folder.file("junit.xml"), to_junit(results));
-  write_file(folder.file("summary.md"), to_summary(results));
-  folder.commit();
-  stages.end();
+  const StudyReport report = study_report(results, to_variants_page(results, pictures));
+  put_in_place(report, folder, stages);
   say_variants(results, talk);
-  talk.line(headline(results));
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(json);
-  return all_passed(results.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+  return say_end(report, folder, stages, options, talk);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#include "report/program/study_end.h"
+
+#include "engine/output/file_writing.h"
+#include "report/program/work.h"
+
+namespace plumb {
+
+void put_in_place(const StudyReport& report, OutputFolder& folder, Stages& stages) {
+  write_file(folder.file("index.html"), report.page);
+  write_file(folder.file("results.json"), report.json);
+  write_file(folder.file("junit.xml"), report.junit);
+  write_file(folder.file("summary.md"), report.summary);
+  folder.commit();
+  stages.end();
+}
+
+ExitStatus say_end(const StudyReport& report, const OutputFolder& folder, const Stages& stages,
+                   const Options& options, Talk& talk) {
+  talk.line(report.headline);
+  say_stages(stages, talk);
+  talk.line("report: " + folder.path() + "/index.html");
+  if (options.json) write_to_standard_output(report.json);
+  return all_passed(report.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+}  // namespace plumb
