@@ -83,11 +83,9 @@ class Bdf : public Method {
     const double b = formula.reach;
     base_ += b * rates_;
     StageTerms stage{.base = Sum(base_), .reach = b * b};
-    stage.end_force = dynamics_.cable().end_force().data();
     stage.from = {1, a_.data()};
     if (const StepResult result = stage_.solve(stage, b * b, next_a_); !result.ok()) {
       // A step that is large against the fastest motion is out of reach of the last acceleration.
-      dynamics_.take_collapsed();
       stage.from.factor = 0;
       if (!stage_.solve(stage, b * b, next_a_).ok()) return result;
     }

@@ -1,5 +1,6 @@
 #include "engine/integrate/dynamics.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace plumb {
@@ -23,7 +24,9 @@ void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) {
 void Dynamics::acceleration(const Sum& q, Eigen::VectorXd& a, std::initializer_list<Sum> before,
                             std::initializer_list<Sum> after) {
   ++counters.force_evaluations;
-  if (const auto element = cable_.acceleration({q, before, after}, a, scratch_); element && !collapsed_)
+  if (const auto element = cable_.acceleration(
+          {q, {before.begin(), before.size()}, {after.begin(), after.size()}}, a, scratch_);
+      element && !collapsed_)
     collapsed_ = element;
 }
 
@@ -76,11 +79,12 @@ StageCorrection Dynamics::correct(const StageTerms& stage, double stiffness_fact
   ++counters.force_evaluations;
   counters.tangent_evaluations += renews ? 1 : 0;
   counters.factorizations += renews ? 1 : 0;
-  const StageCorrection result = best_kernels().correct(
-      cable_.constants(), cable_.elements(), cable_.supports(), stage, stiffness_factor, factors(), x.data());
+  const StageCorrection result =
+      best_kernels().correct(cable_.constants(), cable_.elements(), cable_.supports(),
+                             cable_.end_force().data(), stage, stiffness_factor, factors(), x.data());
   if (renews) definite_ = result.singular < 0;
   if (result.unsound < 0 && !definite_) return correct_stepwise(stage, stiffness_factor, x);
-  ++counters.newton_iterations;
+  if (result.unsound < 0) ++counters.newton_iterations;
   return result;
 }
 

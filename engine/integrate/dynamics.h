@@ -24,7 +24,8 @@ class Dynamics {
   /// a := dv/dt, consistent with the supports.
   void acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a) { acceleration(Sum(q), a); }
 
-  /// The same at coordinates that are a sum, with other sums before and after it: see StageSums.
+  /// The same at coordinates that are a sum, with other sums before and after it: see StageSums. An a that is
+  /// one of their terms must have its size already.
   void acceleration(const Sum& q, Eigen::VectorXd& a, std::initializer_list<Sum> before = {},
                     std::initializer_list<Sum> after = {});
 
@@ -38,10 +39,11 @@ class Dynamics {
 
   /// One correction of Newton's iteration for a stage: x := from + the residual there, solved with the
   /// factors at hand, or, with `stiffness_factor` other than 0, with those of mass · M + stiffness_factor · K
-  /// at the stage's point. x is given its size; the stage must not be made of it.
+  /// at the stage's point. x is given its size; the stage must not be made of it. After a correction that was
+  /// unsound or singular the next one must renew the matrix.
   StageCorrection correct(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x);
 
-  /// An element whose slope collapsed in a force evaluation since the last call; forgets it.
+  /// An element whose slope collapsed in `force` or `acceleration` since the last call; forgets it.
   std::optional<int> take_collapsed();
 
   Counters counters;

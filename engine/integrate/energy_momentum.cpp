@@ -65,7 +65,7 @@ class EnergyMomentum : public OneStepMethod {
       ++dynamics().counters.tangent_evaluations;
       ++dynamics().counters.factorizations;
       if (const auto node = lu_.factor(matrix_))
-        return {Outcome::singular, "Newton's matrix is singular", *node};
+        return {Outcome::singular, "Newton's matrix is singular", std::min(*node, cable.elements() - 1)};
       change_ = residual_;
       lu_.solve(change_);
       ++dynamics().counters.newton_iterations;

@@ -125,7 +125,6 @@ class Gauss : public OneStepMethod {
     StepResult result = solve(h, from);
     if (!result.ok()) {
       // A step that is large against the fastest motion is out of reach of the last accelerations.
-      dynamics().take_collapsed();
       for (Eigen::VectorXd& x : x_) x.setZero();
       result = solve(h, from);
       if (!result.ok()) return result;

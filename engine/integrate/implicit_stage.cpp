@@ -1,6 +1,7 @@
 #include "engine/integrate/implicit_stage.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/integrate/newton.h"
 
@@ -29,9 +30,6 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   const auto metres = [&](const StageCorrection& correction) {
     return position * std::max(correction.position, cable.element().length() * correction.slope);
   };
-  const auto change_of = [&](const Eigen::VectorXd& change) {
-    return correction_size(change, position, cable.element().length());
-  };
   x.resize(dynamics_.size());
   double before = 0;  // size of the correction before this one
   for (int i = 0; i < iterations_; ++i) {
@@ -40,11 +38,13 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
     if (correction.unsound >= 0) {
       best_kernels().add_up(cable.nodes(), terms.point().into(next_));
       has_factors_ = false;
-      if (!next_.allFinite()) return not_converged(change_of(next_), tolerance_);
+      if (!next_.allFinite())
+        return not_converged({std::numeric_limits<double>::infinity(), correction.unsound}, tolerance_);
       return {Outcome::singular, "the slope collapsed within Newton's iteration", correction.unsound};
     }
     if (correction.singular >= 0)
-      return {Outcome::singular, "Newton's matrix is singular", correction.singular};
+      return {Outcome::singular, "Newton's matrix is singular",
+              std::min(correction.singular, cable.elements() - 1)};
     x.swap(next_);
     if (renew) {
       has_factors_ = true;
@@ -58,7 +58,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
     const double rate = before > 0 ? size / before : 1;
     if (before > 0 && rate < 1 && size * rate / (1 - rate) <= tolerance_) return {};
     renew = before > 0 && rate > slow;
-    if (old && before > 0 && rate > astray) {
+    if (old && before > 0 && rate > astray && i + 1 < iterations_) {
       terms.from = stage.from;
       before = 0;
       renew = true;
@@ -70,7 +70,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   has_factors_ = false;
   // What the last correction has changed.
   next_ = x - terms.from.factor * Eigen::Map<const Eigen::VectorXd>(terms.from.numbers, x.size());
-  return not_converged(change_of(next_), tolerance_);
+  return not_converged(correction_size(next_, position, cable.element().length()), tolerance_);
 }
 
 }  // namespace plumb

@@ -15,7 +15,7 @@ class ImplicitStage {
   ImplicitStage(const MethodSpec& spec, Dynamics& dynamics);
 
   /// Solves for x, from the estimate in `stage`, of which x may not be a part. `position`: how far q moves
-  /// with x, s², which sets the scale of a correction.
+  /// with x, s², which sets the scale of a correction. After a failure x is of no meaning.
   StepResult solve(const StageTerms& stage, double position, Eigen::VectorXd& x);
 
  private:

@@ -15,7 +15,8 @@ class LinearlyImplicitEuler : public OneStepMethod {
  private:
   StepResult advance(double h, const State& from, State& to) override {
     if (const auto node = dynamics().factor(from.q, 1, h * h))
-      return {Outcome::singular, "the matrix M + h² K is singular", *node};
+      return {Outcome::singular, "the matrix M + h² K is singular",
+              std::min(*node, dynamics().cable().elements() - 1)};
     dynamics().cable().mass().multiply(from.v, momentum_);
     dynamics().force(from.q, to.v);
     to.v = momentum_ + h * to.v;

@@ -47,7 +47,7 @@ inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double scale, d
                          element_length * dq.segment<3>(6 * node + 3).lpNorm<Eigen::Infinity>());
     // What is not a number stays the answer.
     if (!(largest <= size.metres) || !dq.segment<6>(6 * node).allFinite())
-      size = {std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity(),
+      size = {dq.segment<6>(6 * node).allFinite() ? largest : std::numeric_limits<double>::infinity(),
               std::min(node, nodes - 2)};
   }
   return size;

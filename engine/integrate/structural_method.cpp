@@ -27,7 +27,6 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   StageTerms stage{.base = base, .reach = s.point * h2 * s.position_new};
   stage.mass = s.mass_new;
   stage.force = s.force_new;
-  stage.end_force = dynamics().cable().end_force().data();
   if (s.mass_old != 0) stage.before = {s.mass_old / s.mass_new, a_.data()};
   if (s.force_old != 0) stage.known = {s.force_old, old_force_.data()};
   // Two guesses: the acceleration of the step before; and that with which q₁ is q₀ + h v₀, which is the
@@ -51,7 +50,8 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   v.plus(h * s.velocity_new, next_a_).into(to.v);
   if (s.position_old != 0) q.plus(h2 * s.position_old, a_);
   if (s.velocity_old != 0) v.plus(h * s.velocity_old, a_);
-  best_kernels().add_up(dynamics().cable().nodes(), std::array{q, v});
+  const std::array both{q, v};
+  best_kernels().add_up(dynamics().cable().nodes(), {both.data(), both.size()});
   if (s.force_old != 0) dynamics().force(to.q, force_);
   return {};
 }

@@ -13,8 +13,6 @@
 namespace plumb::kernels {
 namespace {
 
-inline constexpr int block_rows = 12;
-
 /// Six numbers.
 struct Six {
   Lanes a;
@@ -39,14 +37,14 @@ PLUMB_INLINE Six operator-(const Six& x, const Six& y) {
 
 /// A 6 by 6 block, column after column: two columns are three vectors, of which the one between them holds
 /// the end of the first column and the beginning of the second.
-inline constexpr int block_size = 36;
+inline constexpr int block_size = 36, two_columns = 12;
 
 /// A x.
 PLUMB_INLINE Six multiply(const double* block, const Six& x) {
   Lanes upper = {}, between = {}, lower = {};
 #pragma GCC unroll 3
   for (int pair = 0; pair < 3; ++pair) {
-    const double* p = block + block_rows * pair;
+    const double* p = block + two_columns * pair;
     const double first = x[2 * pair], second = x[2 * pair + 1];
     const Lanes u = load_lanes(p) * all(first), m = load_lanes(p + 4) * Lanes{first, first, second, second},
                 l = load_lanes(p + 8) * all(second);
@@ -67,7 +65,7 @@ PLUMB_INLINE Six multiply_transposed(const double* block, const Six& x) {
   Lanes sums[3];
 #pragma GCC unroll 3
   for (int pair = 0; pair < 3; ++pair) {
-    const double* p = block + block_rows * pair;
+    const double* p = block + two_columns * pair;
     const Lanes u = load_lanes(p) * x.a, m = load_lanes(p + 4) * turned, l = load_lanes(p + 8) * behind;
     // Two numbers each of the first column and of the second.
     sums[pair] = __builtin_shufflevector(u, m, 0, 1, 6, 7) + __builtin_shufflevector(u, l, 2, 3, 4, 5) +

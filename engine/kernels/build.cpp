@@ -46,11 +46,12 @@ int system_factors(const ElementConstants& element, double mass_factor, double s
 }
 
 StageCorrection correct(const ElementConstants& element, int elements, const HeldEnds& ends,
-                        const StageTerms& stage, double stiffness_factor, double* factors, double* x) {
+                        const double* end_force, const StageTerms& stage, double stiffness_factor,
+                        double* factors, double* x) {
   const ElementConstants scaled = scaled_by(stage.mass, stiffness_factor, element);
   if (stiffness_factor != 0)
-    return PLUMB_CHOOSE(renewed_correction, element, scaled, elements, ends, stage, factors, x);
-  return PLUMB_CHOOSE(kept_correction, element, scaled, elements, ends, stage, factors, x);
+    return PLUMB_CHOOSE(renewed_correction, element, scaled, elements, ends, end_force, stage, factors, x);
+  return PLUMB_CHOOSE(kept_correction, element, scaled, elements, ends, end_force, stage, factors, x);
 }
 
 int acceleration(const ElementConstants& element, int elements, const MassFactors& mass,
@@ -58,7 +59,7 @@ int acceleration(const ElementConstants& element, int elements, const MassFactor
   return PLUMB_CHOOSE(chain_acceleration, element, elements, mass, end_force, sums, a);
 }
 
-void add_up(int nodes, std::span<const Sum> sums) {
+void add_up(int nodes, Sums sums) {
   // By blocks, so that what several sums share is read once.
   constexpr int block = 64;
   for (int from = 0; from < nodes; from += block)

@@ -28,8 +28,6 @@ PLUMB_INLINE void store_four(double* to, const Lanes& a, const Lanes& b, const L
 template <bool green, bool full>
 class SystemChain {
  public:
-  static constexpr int rows = 12;
-
   /// EA, EI and ρA of `element` are multiplied with the factors of stiffness and mass already.
   PLUMB_INLINE explicit SystemChain(const ElementConstants& element) : element_(element), mass_(element) {}
 
@@ -70,7 +68,7 @@ class SystemChain {
         else
           below[i] = j < 3 ? mass_without(m.g1r0, o.dg1.at[there]) : with(o.g1g0.at[here], m.g1g0);
       }
-      double* column = to + rows * j;
+      double* column = to + block_rows * j;
       store_four(column, own[j][0], own[j][1], own[j][2], own[j][3]);
       store_four(column + 4, own[j][4], own[j][5], below[0], below[1]);
       store_four(column + 8, below[2], below[3], below[4], below[5]);
@@ -81,8 +79,8 @@ class SystemChain {
   PLUMB_INLINE void end(double* last) const {
     // The lanes left over held copies of the last element, so that the last lane is always its.
     for (int j = 0; j < per_node; ++j) {
-      for (int i = j; i < per_node; ++i) last[rows * j + i] = before_[j][i][lanes - 1];
-      for (int i = 0; i < per_node; ++i) last[rows * j + per_node + i] = 0;
+      for (int i = j; i < per_node; ++i) last[block_rows * j + i] = before_[j][i][lanes - 1];
+      for (int i = 0; i < per_node; ++i) last[block_rows * j + per_node + i] = 0;
     }
   }
 

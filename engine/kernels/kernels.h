@@ -42,7 +42,8 @@ struct MassFactors {
 };
 
 /// What the supports make of the equations of the end nodes: what they hold gets the equation x = 0. Block
-/// columns are those of Kernels::system.
+/// columns are those of Kernels::system, of whose diagonal blocks the rows above the diagonal are not set,
+/// before or after.
 class HeldEnds {
  public:
   /// Of the first node's block column.
@@ -65,21 +66,20 @@ struct Scaled {
 /// An implicit stage for accelerations x, of which `from` is an estimate:
 ///   mass M (x + before) = force (f(base + reach x) + end force on the last node) + known.
 struct StageTerms {
-  Sum base;          ///< m and 1
-  double reach = 0;  ///< s²
-  double mass = 1, force = 1;
-  const double* end_force = nullptr;  ///< three numbers, N
-  Scaled before = {};                 ///< m/s² and 1/s²; its numbers may be nullptr
-  Scaled known = {};                  ///< N and N m; its numbers may be nullptr
-  Scaled from = {};                   ///< m/s² and 1/s²
+  Sum base;                    ///< m and 1; at most Sum::most − 1 terms
+  double reach = 0;            ///< s²
+  double mass = 1, force = 1;  ///< pure numbers
+  Scaled before = {};          ///< m/s² and 1/s²; its numbers may be nullptr
+  Scaled known = {};           ///< N and N m; its numbers may be nullptr
+  Scaled from = {};            ///< m/s² and 1/s²; its numbers must be there
 
   /// base + reach x at the estimate.
-  Sum point() const {
+  PLUMB_ALWAYS_INLINE Sum point() const {
     Sum sum = base;
     return sum.plus(reach * from.factor, from.numbers);
   }
   /// x + before at the estimate.
-  Sum accelerations() const {
+  PLUMB_ALWAYS_INLINE Sum accelerations() const {
     Sum sum(from.numbers);
     if (from.factor != 1) sum.plus(from.factor - 1, from.numbers);
     if (before.numbers != nullptr) sum.plus(before.factor, before.numbers);
@@ -89,23 +89,24 @@ struct StageTerms {
 
 /// How a correction of a stage's x went.
 struct StageCorrection {
-  int unsound = -1;                ///< what `force` returns; unless -1, x is not set
-  int singular = -1;               ///< what `factor` returns; unless -1, x is not set
-  double position = 0, slope = 0;  ///< largest change of a position's and of a slope's x
+  int unsound = -1;   ///< what `force` returns; unless -1, x and renewed factors must not be used
+  int singular = -1;  ///< what `factor` returns; unless -1, x and the factors must not be used
+  double position = 0, slope = 0;  ///< largest change of a position's and of a slope's x, m/s² and 1/s²
   bool finite = false;             ///< all changes are
 };
 
 /// A node's block column of a symmetric block tridiagonal matrix: six columns of twelve numbers, the upper
 /// six the diagonal block, the lower six the block below it.
-inline constexpr int block_column_size = 72;
+inline constexpr int block_rows = 12, block_column_size = 6 * block_rows;
 
 /// Numbers a node of the factors of such a matrix.
 inline constexpr int factor_size = 64;
 
 /// The loops that a run spends its time in, written for vector units and built twice: for any x86-64 and,
 /// where the processor has AVX2, for x86-64-v3. Both do the same operations in the same order without fused
-/// multiply-add, so their results are the same to the last bit. `elements` is ≥ 1 and `nodes` ≥ 2. All arrays
-/// hold 6 numbers a node, r (m) and r' (1), or their rates or forces.
+/// multiply-add, so their results are the same to the last bit. `elements` is ≥ 1 and `nodes` ≥ 2. Arrays of
+/// numbers hold 6 a node, r (m) and r' (1), or their rates or forces; block columns and factors have their
+/// own sizes.
 struct Kernels {
   std::string_view instruction_set;  ///< "plain", "x86-64-v3"
 
@@ -143,8 +144,10 @@ struct Kernels {
   /// solved with the factors of a matrix. With `stiffness_factor` other than 0 these are first made of mass M
   /// + stiffness_factor K(point), K = ∂²U/∂q². All numbers of a node are read once for the way to the last
   /// node and once for the way back. x must not be among those that the stage is made of.
+  /// `end_force`: three numbers, N.
   StageCorrection (*correct)(const ElementConstants& element, int elements, const HeldEnds& ends,
-                             const StageTerms& stage, double stiffness_factor, double* factors, double* x);
+                             const double* end_force, const StageTerms& stage, double stiffness_factor,
+                             double* factors, double* x);
 
   /// x := M⁻¹ x with the factors of M.
   void (*mass_solve)(int nodes, const MassFactors& factors, double* x);
@@ -154,7 +157,7 @@ struct Kernels {
 
   /// Adds sums up over all nodes, one after the other as far as a node is concerned. A result may be one of
   /// its own terms, and one of those of the sums behind it.
-  void (*add_up)(int nodes, std::span<const Sum> sums);
+  void (*add_up)(int nodes, Sums sums);
 
   /// ½ vᵀ M v, J.
   double (*kinetic_energy)(const ElementConstants& element, int elements, const double* v);

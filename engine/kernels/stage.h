@@ -19,6 +19,13 @@ PLUMB_INLINE void ask_for(const double* numbers) {
   for (int k = 0; k < count; k += line) __builtin_prefetch(numbers + k);
 }
 
+/// Asks for one of six shares of some numbers that are to be written.
+template <int count>
+PLUMB_INLINE void ask_for_share(const double* numbers, int share) {
+  constexpr int line = 8, lines = (count + line - 1) / line;
+  for (int k = share; k < lines; k += per_node) __builtin_prefetch(numbers + line * k, 1, 2);
+}
+
 /// The matrix of a chain, of which no more is made than is eliminated at once.
 template <bool green, bool full>
 class SystemElimination {
@@ -33,12 +40,9 @@ class SystemElimination {
   PLUMB_INLINE int take(int e, int count, const double* nodes) {
     // A share with each column.
     const auto ask = [&](int share) __attribute__((always_inline)) {
-      constexpr int line = 8, lines = lanes * block_size / per_node / line;
-      const int node = e + nodes_ahead;  // to be written
-      for (int k = 0; k < lines; ++k) {
-        __builtin_prefetch(multiplier_of(node, factors_) + line * (lines * share + k), 1, 2);
-        __builtin_prefetch(inverse_of(node, elements_ + 1, factors_) + line * (lines * share + k), 1, 2);
-      }
+      const int node = e + nodes_ahead;
+      ask_for_share<lanes * block_size>(multiplier_of(node, factors_), share);
+      ask_for_share<lanes * symmetric_size>(inverse_of(node, elements_ + 1, factors_), share);
     };
     chain_.take(count, nodes, columns_, ask);
     if (e == 0) ends_.hold_first(columns_);
@@ -110,8 +114,8 @@ PLUMB_INLINE void substitute_back(int nodes, const double* factors, const Scaled
 /// computed, with the matrix too where it is renewed, and on the way back the corrections are added.
 template <bool green, bool full, bool renews>
 StageCorrection chain_correction(const ElementConstants& element, const ElementConstants& scaled,
-                                 int elements, const HeldEnds& ends, const StageTerms& terms, double* factors,
-                                 double* x) {
+                                 int elements, const HeldEnds& ends, const double* end_force,
+                                 const StageTerms& terms, double* factors, double* x) {
   const int nodes = elements + 1;
   StageCorrection result;
   const Sum point_sum = terms.point(), rates_sum = terms.accelerations();
@@ -167,7 +171,7 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
   result.unsound = forces.unsound();
   if (result.unsound >= 0 || result.singular >= 0) return result;
   forces.end(f);
-  for (int k = 0; k < 3; ++k) f[k] += terms.end_force[k];
+  for (int k = 0; k < 3; ++k) f[k] += end_force[k];
   take_node(elements, f, momentum.take_last());
   substitute_back(nodes, factors, terms.from, x, result);
   return result;

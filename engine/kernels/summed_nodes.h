@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "engine/kernels/add_up.h"
 #include "engine/kernels/chain.h"
 
@@ -12,8 +10,7 @@ namespace {
 /// over the same nodes with it. So on long chains memory is read and written while forces are computed.
 class SummedNodes {
  public:
-  PLUMB_INLINE explicit SummedNodes(const Sum& sum, std::span<const Sum> beside = {})
-      : sum_(sum), beside_(beside) {}
+  PLUMB_INLINE explicit SummedNodes(const Sum& sum, Sums beside = Sums()) : sum_(sum), beside_(beside) {}
 
   /// The nodes of the `count` elements from `e` on. Groups come in the order of the chain, and all but the
   /// last are of four elements.
@@ -32,7 +29,7 @@ class SummedNodes {
 
  private:
   const Sum& sum_;
-  std::span<const Sum> beside_;
+  Sums beside_;
   double made_[per_node * (lanes + 1)];
 };
 

@@ -24,7 +24,8 @@ class MassMatrix {
   /// is only used where an end is clamped, and is then given the size of x.
   void solve(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const;
 
-  /// The factors with which alone `solve` works; nullptr where an end is clamped, which takes two.
+  /// The factors with which alone `solve` works, valid as long as this matrix or a copy of it; nullptr where
+  /// an end is clamped, which takes two.
   const MassFactors* factors() const { return along_ ? nullptr : &across_->view; }
 
   /// ½ vᵀ M v, J.

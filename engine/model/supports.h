@@ -28,6 +28,7 @@ class SupportProjection : public HeldEnds {
   void apply(BlockTridiagonal& A) const;
   void apply(GeneralBlockTridiagonal<double>& A) const;
 
+  // Of a cable; the slopes of a chain are held by `apply` alone.
   void hold_first(double* column) const override;
   void hold_last(double* column_before, double* column) const override;
   void hold(bool last, double* numbers) const override;

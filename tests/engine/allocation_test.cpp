@@ -2,20 +2,40 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
 
 #include "engine/integrate/method.h"
+#include "engine/model/huge_array.h"
 #include "tests/engine/pendulum.h"
 
 namespace {
 std::atomic<long> allocations = 0;
 }
 
-// The linker sends every malloc of this program and of the engine here (-Wl,--wrap=malloc); what shared
-// libraries ask for is not counted.
+// The linker sends every malloc and aligned_alloc of this program and of the engine here (-Wl,--wrap=…), and
+// operator new asks malloc; what shared libraries ask for is not counted.
 extern "C" void* __real_malloc(std::size_t size);
+extern "C" void* __real_aligned_alloc(std::size_t alignment, std::size_t size);
 extern "C" void* __wrap_malloc(std::size_t size) {
   ++allocations;
   return __real_malloc(size);
+}
+extern "C" void* __wrap_aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __real_aligned_alloc(alignment, size);
+}
+
+void* operator new(std::size_t size) {
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
 }
 
 namespace plumb {
@@ -46,11 +66,17 @@ TEST(Allocation, NoMethodAllocatesWithinTheTimeLoop) {
     }
 }
 
-TEST(Allocation, OfAVectorIsCounted) {
+TEST(Allocation, OfAnyKindIsCounted) {
   const long before = allocations;
   const Eigen::VectorXd some = Eigen::VectorXd::Ones(100);
   asm volatile("" : : "r"(some.data()) : "memory");  // so that it is not optimised away
   EXPECT_EQ(allocations - before, 1);
+  const HugeArray numbers(100);
+  asm volatile("" : : "r"(numbers.data()) : "memory");
+  EXPECT_EQ(allocations - before, 2);
+  const auto one = std::make_unique<int>(1);
+  asm volatile("" : : "r"(one.get()) : "memory");
+  EXPECT_EQ(allocations - before, 3);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/engine/dense_matrix.h"
+
 namespace plumb {
 namespace {
 
@@ -16,18 +18,6 @@ GeneralBlockTridiagonal<double> random_matrix(int nodes, unsigned seed) {
   for (auto* blocks : {&A.diagonal, &A.below, &A.above})
     for (Block6& block : *blocks) block = Block6::NullaryExpr([&] { return unit(generator); });
   return A;
-}
-
-Eigen::MatrixXd dense(const GeneralBlockTridiagonal<double>& A) {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(6 * A.nodes(), 6 * A.nodes());
-  for (int i = 0; i < A.nodes(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    full.block<6, 6>(6 * i, 6 * i) = A.diagonal[at];
-    if (i + 1 == A.nodes()) break;
-    full.block<6, 6>(6 * i + 6, 6 * i) = A.below[at];
-    full.block<6, 6>(6 * i, 6 * i + 6) = A.above[at];
-  }
-  return full;
 }
 
 TEST(BlockLu, SolvesSystemsThatAreNeitherSymmetricNorDefinite) {

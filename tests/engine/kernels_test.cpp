@@ -15,7 +15,8 @@ namespace plumb {
 namespace {
 
 constexpr double EA = 40, EI = 7.96e-5, cable_length = 1, mass_per_length = 8e-3;
-constexpr double gravity[] = {30, -981, 200};  // strong, so that it counts beside the elastic forces
+constexpr double end_force[] = {0.1, -0.2, 0.3};  // N
+constexpr double gravity[] = {30, -981, 200};     // strong, so that it counts beside the elastic forces
 
 /// A chain of elements, straight but for `spread` (a share of the element length, and of the unit slope).
 Eigen::VectorXd chain(int elements, double spread, unsigned seed) {
@@ -178,14 +179,12 @@ struct Stage {
     terms.base = Sum(q).plus(1e-4, v);
     terms.mass = 0.8;
     terms.force = 0.7;
-    terms.end_force = end_force;
     terms.before = {0.3, v.data()};
     terms.known = {0.2, known.data()};
     terms.from = {-0.5, a.data()};
   }
 
   Eigen::VectorXd q, v, a, known;
-  double end_force[3] = {0.1, -0.2, 0.3};
   StageTerms terms{.base = Sum(q), .reach = 1e-6};
 };
 
@@ -217,8 +216,8 @@ TEST_P(KernelsOf, ACorrectionIsTheResidualSolved) {
       // With the matrix made anew, and then with the one at hand.
       for (const double renewed : {stiffness_factor, 0.0}) {
         Eigen::VectorXd seen(at.size());
-        const StageCorrection result =
-            best_kernels().correct(constants(n), n, ends, terms, renewed, factors.data(), seen.data());
+        const StageCorrection result = best_kernels().correct(constants(n), n, ends, end_force, terms,
+                                                              renewed, factors.data(), seen.data());
         EXPECT_EQ(result.unsound, -1);
         EXPECT_EQ(result.singular, -1);
         EXPECT_TRUE(result.finite);
@@ -236,8 +235,8 @@ TEST_P(KernelsOf, ACorrectionThatGoesWrongSaysWhere) {
       std::vector<double> factors = factors_of(n);
       Eigen::VectorXd x(6 * (n + 1));
       const auto correct = [&](const Stage& stage, double stiffness_factor) {
-        return best_kernels().correct(constants(n), n, ends, stage.terms, stiffness_factor, factors.data(),
-                                      x.data());
+        return best_kernels().correct(constants(n), n, ends, end_force, stage.terms, stiffness_factor,
+                                      factors.data(), x.data());
       };
       Stage sound(n);
       ASSERT_EQ(correct(sound, 1e-6).singular, -1);
@@ -247,6 +246,9 @@ TEST_P(KernelsOf, ACorrectionThatGoesWrongSaysWhere) {
       Stage collapsed(n);
       collapsed.q[6 * bad + 7] = std::numeric_limits<double>::quiet_NaN();
       EXPECT_EQ(correct(collapsed, 0).unsound, bad) << n << " elements";
+      const StageCorrection both = correct(collapsed, 1e-6);
+      EXPECT_TRUE(both.unsound == bad || both.singular >= 0) << n << " elements";
+      ASSERT_EQ(correct(sound, 1e-6).singular, -1);
       Stage infinite(n);
       infinite.known[6 * bad + 1] = std::numeric_limits<double>::infinity();
       EXPECT_FALSE(correct(infinite, 0).finite) << n << " elements";
@@ -271,11 +273,12 @@ TEST_P(KernelsOf, AccelerationIsTheForceSolvedWithTheMassBesideItsSums) {
   if (v3_kernels() != nullptr) built.push_back(v3_kernels());
   std::vector<int> long_too(std::begin(lengths), std::end(lengths));
   long_too.insert(long_too.end(), {127, 128, 129, 130, 260});
-  const double end_force[] = {0.1, -0.2, 0.3};
   for (const Kernels* kernels : built)
     for (const int n : long_too) {
-      const MassMatrix mass(constants(n), n,
-                            SupportProjection({.first = Support::pinned}, Vec3::UnitX(), n + 1));
+      // Every other length has other supports.
+      const SupportsSpec supports =
+          n % 2 == 0 ? SupportsSpec{.first = Support::pinned} : SupportsSpec{Support::free, Support::pinned};
+      const MassMatrix mass(constants(n), n, SupportProjection(supports, Vec3::UnitX(), n + 1));
       const Eigen::VectorXd q = chain(n, 0.01, 17), v = chain(n, 0.3, 18), w = chain(n, 0.3, 19);
       const Eigen::VectorXd at = q + 1e-3 * v + 2e-3 * w;
       Eigen::VectorXd expected(q.size()), scratch;
@@ -288,8 +291,9 @@ TEST_P(KernelsOf, AccelerationIsTheForceSolvedWithTheMassBesideItsSums) {
         if (kept) coordinates.into(q_kept);
         const std::vector<Sum> first{Sum(v).plus(2, w).into(before)},
             then{Sum(after).plus(0.5, a).into(after)};
-        EXPECT_EQ(kernels->acceleration(constants(n), n, *mass.factors(), end_force,
-                                        {coordinates, first, then}, a.data()),
+        EXPECT_EQ(kernels->acceleration(
+                      constants(n), n, *mass.factors(), end_force,
+                      {coordinates, {first.data(), first.size()}, {then.data(), then.size()}}, a.data()),
                   -1);
         EXPECT_LE((a - expected).norm(), 1e-14 * expected.norm()) << n << " elements";
         if (kept) {
@@ -298,6 +302,20 @@ TEST_P(KernelsOf, AccelerationIsTheForceSolvedWithTheMassBesideItsSums) {
         EXPECT_LE((before - (v + 2 * w)).norm(), 1e-15 * before.norm()) << n << " elements";
         EXPECT_LE((after - (w + 0.5 * a)).norm(), 1e-15 * after.norm()) << n << " elements";
       }
+    }
+}
+
+TEST_P(KernelsOf, AnAccelerationSaysWhereASlopeHasCollapsed) {
+  for (const int n : lengths)
+    for (int bad = 0; bad < n; ++bad) {
+      const MassMatrix mass(constants(n), n, SupportProjection({}, Vec3::UnitX(), n + 1));
+      Eigen::VectorXd q = chain(n, 0.1, 24), a(q.size());
+      q[6 * bad + 7] = std::numeric_limits<double>::quiet_NaN();
+      const Sum coordinates(q);
+      EXPECT_EQ(best_kernels().acceleration(constants(n), n, *mass.factors(), end_force,
+                                            {coordinates, {}, {}}, a.data()),
+                bad)
+          << n << " elements";
     }
 }
 
@@ -314,6 +332,19 @@ TEST_P(KernelsOf, SumsOfAnyNumberOfTermsAreThoseOfEachCoordinate) {
       best_kernels().add_up(n + 1, sum.into(result));
       EXPECT_EQ(result, expected) << n << " elements, " << count << " terms";
     }
+}
+
+TEST_P(KernelsOf, SumsFollowOneAnotherNodeByNode) {
+  // As many nodes as one block has, and one more or less.
+  for (const int n : {62, 63, 64, 129}) {
+    const Eigen::VectorXd a = chain(n, 0.3, 22), b = chain(n, 0.3, 23);
+    Eigen::VectorXd first(a.size()), second = b;
+    const Sum sums[] = {Sum(a).plus(2, b).into(first),
+                        Sum(second).plus(3, first).plus(-1, second).into(second)};
+    best_kernels().add_up(n + 1, {sums, 2});
+    EXPECT_EQ(first, a + 2 * b) << n << " elements";
+    EXPECT_LE((second - 3 * first).norm(), 1e-15 * second.norm()) << n << " elements";
+  }
 }
 
 TEST_P(KernelsOf, EnergyIsThatOfTheElementsOneByOne) {
@@ -352,14 +383,32 @@ TEST_P(KernelsOf, ResultsAreTheSameBitsOnEveryInstructionSet) {
     plain_kernels().solve(n + 1, a.data(), x.data());
     v3_kernels()->solve(n + 1, b.data(), y.data());
     EXPECT_EQ(x, y) << n << " elements, solved";
+    const SupportProjection ends({.first = Support::pinned}, Vec3::UnitX(), n + 1);
     for (const double stiffness_factor : {1e-6, 0.0}) {
       const Stage stage(n);
-      const SupportProjection ends({.first = Support::pinned}, Vec3::UnitX(), n + 1);
-      plain_kernels().correct(constants(n), n, ends, stage.terms, stiffness_factor, a.data(), x.data());
-      v3_kernels()->correct(constants(n), n, ends, stage.terms, stiffness_factor, b.data(), y.data());
+      plain_kernels().correct(constants(n), n, ends, end_force, stage.terms, stiffness_factor, a.data(),
+                              x.data());
+      v3_kernels()->correct(constants(n), n, ends, end_force, stage.terms, stiffness_factor, b.data(),
+                            y.data());
       EXPECT_EQ(a, b) << n << " elements, renewed";
       EXPECT_EQ(x, y) << n << " elements, corrected";
     }
+    const MassMatrix mass(constants(n), n, SupportProjection({}, Vec3::UnitX(), n + 1));
+    const Sum coordinates = Sum(q).plus(1e-3, f);
+    const auto masses = [&](const Kernels& kernels, Eigen::VectorXd& out) {
+      const Sum after = Sum(q).plus(2, x).into(out);
+      kernels.acceleration(constants(n), n, *mass.factors(), end_force, {coordinates, {}, after}, x.data());
+      kernels.mass_multiply(constants(n), n, q.data(), y.data());
+      kernels.mass_solve(n + 1, *mass.factors(), y.data());
+      kernels.add_up(n + 1, Sum(out).plus(kernels.kinetic_energy(constants(n), n, q.data()), y).into(out));
+    };
+    Eigen::VectorXd of_plain(q.size()), of_v3(q.size());
+    masses(plain_kernels(), of_plain);
+    masses(*v3_kernels(), of_v3);
+    EXPECT_EQ(of_plain, of_v3) << n << " elements, masses and sums";
+    plain_kernels().system_factors(constants(n), 1, 1e-6, n, ends, q.data(), a.data());
+    v3_kernels()->system_factors(constants(n), 1, 1e-6, n, ends, q.data(), b.data());
+    EXPECT_EQ(a, b) << n << " elements, factors at once";
     plain_kernels().energy(constants(n), n, q.data(), energies, energies + 1);
     v3_kernels()->energy(constants(n), n, q.data(), energies + 2, energies + 3);
     EXPECT_EQ(f, other) << n << " elements: forces differ by " << (f - other).lpNorm<Eigen::Infinity>();
