@@ -85,7 +85,8 @@ TEST(StudyRun, FindsErrorsOrdersFrontsAndTheMeshConvergence) {
     EXPECT_EQ(run.completed(), run.time_error.tip_max >= 0) << run.message;
     EXPECT_EQ(run.completed(), run.message.empty()) << run.message;
     if (run.completed()) {
-      EXPECT_EQ(run.seconds.size(), 8U) << "short runs are repeated four times as often";
+      // Short runs are repeated four times as often; which are short is for the machine to say.
+      EXPECT_TRUE(run.seconds.size() == 8 || run.seconds.size() == 2) << run.seconds.size();
     }
   }
   for (const std::size_t k : study.time_front) EXPECT_EQ(study.runs[k].elements, 2);
