@@ -129,8 +129,8 @@ struct Kernels {
   void (*system)(const ElementConstants& element, double mass_factor, double stiffness_factor, int elements,
                  const double* q, double* block_columns);
 
-  /// Makes the factors of a symmetric positive definite block tridiagonal matrix. Returns the node at which it
-  /// turns out not to be one; -1 if all is well.
+  /// Makes the factors of a symmetric positive definite block tridiagonal matrix. Returns the node at which
+  /// it turns out not to be one; -1 if all is well.
   int (*factor)(int nodes, const double* block_columns, double* factors);
 
   /// x := A⁻¹ x with the factors of A.
