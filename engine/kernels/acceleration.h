@@ -6,6 +6,8 @@
 namespace plumb::kernels {
 namespace {
 
+/// Kernels::acceleration: coordinates and the sums before are made as the forces ask for them, the sums after
+/// as the solution comes back from the middle.
 template <bool green, bool full>
 int chain_acceleration(const ElementConstants& element, int elements, const MassFactors& mass,
                        const double* end_force, const StageSums& sums, double* a) {
