@@ -21,7 +21,6 @@ class Bdf : public Method {
       : order_(static_cast<int>(spec.parameters.at("order"))),
         h_(spec.step.value()),
         steps_(h_),
-        dynamics_(dynamics),
         stage_(spec, dynamics),
         states_(static_cast<std::size_t>(order_ + 1), start) {
     MethodSpec starter = spec;
@@ -101,7 +100,6 @@ class Bdf : public Method {
   int order_;
   double h_;  // s
   FixedSteps steps_;
-  Dynamics& dynamics_;
   ImplicitStage stage_;
   std::unique_ptr<Method> starter_;  // none for order 1
   std::vector<State> states_;        // the last one first

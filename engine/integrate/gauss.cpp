@@ -240,7 +240,7 @@ class Gauss : public OneStepMethod {
   static void add_stages(const Eigen::VectorXd& first, const Eigen::VectorXd* rate, double reach,
                          const Stages& x, const Weights& weights, Eigen::VectorXd& result) {
     Sum sum(first);
-    for (int i = 0; i < stages; ++i) sum.plus(weights[at(i)], x[at(i)]);
+    for (int i = 0; i < stages; ++i) sum.plus(weights[i], x[at(i)]);
     if (rate != nullptr) sum.plus(reach, *rate);
     best_kernels().add_up(static_cast<int>(first.size()) / 6, sum.into(result));
   }
