@@ -3,12 +3,12 @@
 #include "engine/kernels/chain.h"
 #include "engine/kernels/element_mass.h"
 #include "engine/kernels/element_tangent.h"
+#include "engine/kernels/prefetch.h"
 
 namespace plumb::kernels {
 namespace {
 
-/// The block columns of a long chain are in no cache when their turn comes: they are asked for this many
-/// elements ahead, a share with each column of numbers, or waiting for them would take as long as all else.
+/// Block columns are asked for this many elements ahead.
 inline constexpr int elements_ahead = 4 * lanes;
 
 /// Stores four numbers that lie side by side in the block columns of four nodes.
@@ -99,9 +99,7 @@ void chain_system(const ElementConstants& element, int elements, const double* q
     double* const place = block_columns + block_column_size * e;
     double* const to = count == lanes ? place : spare;
     const auto ask = [&](int j) __attribute__((always_inline)) {
-      constexpr int line = 8, lines = lanes * block_column_size / per_node / line;
-      for (int k = 0; k < lines; ++k)
-        __builtin_prefetch(place + block_column_size * elements_ahead + line * (lines * j + k), 1, 2);
+      ask_for_share<lanes * block_column_size, per_node>(place + block_column_size * elements_ahead, j);
     };
     chain.take(count, q + per_node * e, to, ask);
     if (count < lanes)

@@ -8,23 +8,8 @@
 namespace plumb::kernels {
 namespace {
 
-/// The factors of a long chain are in no cache when their turn comes. They are asked for this many nodes
-/// ahead, or waiting for them would take as long as much else.
+/// Factors are asked for this many nodes ahead.
 inline constexpr int nodes_ahead = 12;
-
-/// Asks for some numbers, past whose end there may be nothing.
-template <int count>
-PLUMB_INLINE void ask_for(const double* numbers) {
-  constexpr int line = 8;
-  for (int k = 0; k < count; k += line) __builtin_prefetch(numbers + k);
-}
-
-/// Asks for one of six shares of some numbers that are to be written.
-template <int count>
-PLUMB_INLINE void ask_for_share(const double* numbers, int share) {
-  constexpr int line = 8, lines = (count + line - 1) / line;
-  for (int k = share; k < lines; k += per_node) __builtin_prefetch(numbers + line * k, 1, 2);
-}
 
 /// The matrix of a chain, of which no more is made than is eliminated at once.
 template <bool green, bool full>
@@ -41,8 +26,8 @@ class SystemElimination {
     // A share with each column.
     const auto ask = [&](int share) __attribute__((always_inline)) {
       const int node = e + nodes_ahead;
-      ask_for_share<lanes * block_size>(multiplier_of(node, factors_), share);
-      ask_for_share<lanes * symmetric_size>(inverse_of(node, elements_ + 1, factors_), share);
+      ask_for_share<lanes * block_size, per_node>(multiplier_of(node, factors_), share);
+      ask_for_share<lanes * symmetric_size, per_node>(inverse_of(node, elements_ + 1, factors_), share);
     };
     chain_.take(count, nodes, columns_, ask);
     if (e == 0) ends_.hold_first(columns_);
