@@ -28,7 +28,7 @@ std::string in_full(const Document& value) {
   return value.is_null() || value.is_string() ? in_words(value) : value.dump();
 }
 
-void add(Document& changes, const std::string& what, const Document& before, const Document& now) {
+void add_values(Document& changes, const std::string& what, const Document& before, const Document& now) {
   const bool alike = in_words(before) == in_words(now);
   add(changes, what, alike ? in_full(before) : in_words(before), alike ? in_full(now) : in_words(now));
 }
@@ -58,7 +58,7 @@ void compare_members(Document& changes, const std::string& prefix, const Documen
     if (was.is_object() && is.is_object())
       compare_members(changes, prefix + key + ".", was, is);
     else if (was != is)
-      add(changes, prefix + key, was, is);
+      add_values(changes, prefix + key, was, is);
   }
 }
 
@@ -175,7 +175,7 @@ Document changes_between(const Document& before, const Document& now) {
   compare_cases(changes, before.at("case"), now.at("case"));
   for (const char* key : {"elements", "end_time", "steps", "rejected_steps", "force_evaluations",
                           "tangent_evaluations", "newton_iterations"})
-    add(changes, key, before.at("solve").at(key), now.at("solve").at(key));
+    add_values(changes, key, before.at("solve").at(key), now.at("solve").at(key));
   Document old_tools = before.at("provenance"), tools = now.at("provenance");
   for (Document* one : {&old_tools, &tools}) one->erase("made at");
   compare_members(changes, "", old_tools, tools);

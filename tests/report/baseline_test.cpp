@@ -116,7 +116,8 @@ const ChangedBaseline changed_baselines[] = {
     {"the start alone",
      [](Document& before, Document& now) {
        for (Document* one : {&before, &now})
-         for (auto& [name, column] : (*one)["probes"].items()) column["values"].erase(1, 3);
+         for (auto& [name, column] : (*one)["probes"].items())
+           column["values"] = Document::array({column["values"][0]});
      },
      "baseline: tip.x", "failed", "no output after the start"},
     {"a column that the run lacks", [](Document&, Document& now) { now["probes"].erase("tip.y"); },
@@ -265,8 +266,10 @@ TEST(Regression, APictureThatEitherLacksOrThatLooksOtherwiseHasMoved) {
                     {same, other, damaged, picture("figures/no_file.png", 1), picture("figures/new.png", 1)});
   std::map<std::string, std::string> moved;
   for (const PictureMove& move : moves) {
-    if (!move.moved) EXPECT_EQ(move.file, "figures/same.png") << move.in_words;
-    if (move.moved) moved[move.file] = move.in_words;
+    if (move.moved)
+      moved[move.file] = move.in_words;
+    else
+      EXPECT_EQ(move.file, "figures/same.png") << move.in_words;
   }
   EXPECT_EQ(moves.size(), 6U);
   EXPECT_EQ(moved.size(), 5U);
