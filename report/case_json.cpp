@@ -81,6 +81,9 @@ Json case_json(const LoadedCase& loaded) {
   if (!reports_given_run(spec)) json["method"] = method_json(spec.method);
   if (!loaded.given_runs.empty()) json["given_runs"] = given_runs_json(loaded);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
+  json["probes"] = Json::array();
+  for (const ProbeSpec& probe : spec.probes)
+    json["probes"].push_back({{"name", probe.name}, {"at", probe.at}, {"quantity", word(probe.quantity)}});
   json["text"] = loaded.source.file.text;
   return json;
 }

@@ -144,6 +144,7 @@ std::string obstacle(const Run& run, const Reference& reference, const std::vect
   if (const std::string other = difference(reference.cable, run.loaded.spec.cable); !other.empty())
     return "the reference is for another cable: " + other;
   if (times.empty()) return "no time of the reference is within the run";
+  if (!(times.back() > 0)) return "no time of the reference is within the run but the start";
   return {};
 }
 

@@ -31,8 +31,10 @@ constexpr const char* index_words = "over 1.15, as it covers 95 % of errors to o
 std::optional<double> change_by_rounding(const std::array<ColumnValues, 3>& columns) {
   constexpr double rounding = 1e-11;
   double change = 0, size = 0;
+  if (columns[0].values.empty()) return {};
   for (std::size_t t = 0; t < columns[0].values.size(); ++t)
     for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (!std::isfinite(columns[k].values[t])) return {};
       change = std::max(change, std::abs(columns[k].values[t] - columns[0].values[t]));
       size = std::max(size, std::abs(columns[k].values[t]));
     }
@@ -132,7 +134,7 @@ void conclude(SeriesUncertainty& series) {
       if (each.state == PartState::estimated) squares += each.values[t] * each.values[t];
     series.validation[t] = std::sqrt(squares);
     const double size = std::abs(series.error[t]);
-    within += size <= coverage_factor * series.validation[t];
+    within += std::isfinite(size) && size <= coverage_factor * series.validation[t];
     // One that is not a number stays the greatest.
     const double greatest = std::abs(series.error[series.greatest]);
     if (!std::isnan(greatest) && !(size <= greatest)) series.greatest = t;

@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -117,6 +119,12 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
                      "what a column may move by since the baseline, relative to its largest; default 1e-9")
         ->type_name("SHARE")
         ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+              return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
+                                                                       : text + " is not finite";
+            },
+            "FINITE"))
         ->needs(baseline);
   }
   if (verb.takes_kind)

@@ -1,3 +1,6 @@
+#include <optional>
+
+#include "report/case_json.h"
 #include "report/program/assessment_work.h"
 #include "report/program/earlier_report.h"
 #include "report/program/economy_work.h"
@@ -5,6 +8,7 @@
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
+#include "report/regression.h"
 
 namespace plumb {
 
@@ -21,7 +25,8 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   stages.begin("reading");
   LoadedCase loaded = load(options, talk);
   // Before any work: a baseline that is not there would be found out too late.
-  if (!options.baseline.empty()) find_document(options.baseline);
+  std::optional<Document> baseline;
+  if (!options.baseline.empty()) baseline = find_baseline(options.baseline);
   OutputFolder folder(output_path(options, loaded));
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
@@ -33,6 +38,7 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   } else {
     folder.keep("choice.json");
   }
+  if (baseline) refuse_other_case(*baseline, options.baseline, Document::parse(to_json(case_json(loaded))));
   stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
   Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.

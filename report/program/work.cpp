@@ -172,7 +172,7 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
       pictures.figures.push_back(std::move(picture));
   }
   Document document = document_of(evaluate(run, stages, study, assessment, economy), pictures);
-  hold_against_earlier(document, options, folder.path());
+  hold_against_earlier(document, pictures, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();
