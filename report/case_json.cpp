@@ -40,11 +40,26 @@ Json solve_json(const Run& run) {
   return json;
 }
 
+Json coverage_json(const Coverage& coverage) {
+  return {{"demanded", coverage.demanded},
+          {"compared", coverage.compared},
+          {"interpolated", coverage.interpolated},
+          {"first", coverage.first},
+          {"last", coverage.last},
+          {"longest_gap", coverage.longest_gap},
+          {"interpolation_error", coverage.interpolation_error},
+          {"share", coverage.share},
+          {"allowance", coverage.allowance},
+          {"lacking", coverage.lacking}};
+}
+
 Json verdict_json(const Verdict& verdict) {
-  return {{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
-          {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
-          {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
-          {"reason", verdict.reason}};
+  Json json{{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
+            {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
+            {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
+            {"reason", verdict.reason}};
+  if (verdict.coverage) json["coverage"] = coverage_json(*verdict.coverage);
+  return json;
 }
 
 Json method_json(const MethodSpec& method) {

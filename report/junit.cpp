@@ -84,7 +84,10 @@ std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& al
       xml += fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", title, suite.name,
                          escape_xml(test.name), test.seconds);
       if (test.status == VerdictStatus::passed) {
-        xml += "/>\n";
+        // Over how much it passed.
+        xml += test.message.empty() ? "/>\n"
+                                    : fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n",
+                                                  escape_xml(test.message));
         continue;
       }
       // Some viewers show the attribute, some the text.

@@ -38,6 +38,23 @@ std::vector<Picture> read_pictures(const Document& list, const std::filesystem::
   return pictures;
 }
 
+Coverage read_coverage(const Document& json) {
+  Coverage coverage;
+  const auto count = [&](const char* key) { return json.at(key).get<std::size_t>(); };
+  const auto number = [&](const char* key) { return json.at(key).get<double>(); };
+  coverage.demanded = count("demanded");
+  coverage.compared = count("compared");
+  coverage.interpolated = count("interpolated");
+  coverage.first = number("first");
+  coverage.last = number("last");
+  coverage.longest_gap = number("longest_gap");
+  coverage.interpolation_error = number("interpolation_error");
+  coverage.share = number("share");
+  coverage.allowance = json.at("allowance").get<std::string>();
+  coverage.lacking = json.at("lacking").get<std::string>();
+  return coverage;
+}
+
 }  // namespace
 
 Document read_document(const std::string& path) {
@@ -80,6 +97,7 @@ std::vector<Verdict> verdicts_of(const Document& document) {
     verdict.detail = text("detail");
     verdict.message = text("message");
     verdict.reason = text("reason");
+    if (item.contains("coverage")) verdict.coverage = read_coverage(item.at("coverage"));
     verdicts.push_back(std::move(verdict));
   }
   return verdicts;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "engine/study/comparison_words.h"
@@ -89,6 +90,18 @@ UncertaintyPart time_part(const MethodSpec& method, const std::vector<double>& r
                   "is not observed; at each time of the greatest change up to then; {}",
                   how, index_words),
       standard(two_run_index(run, finer.values, refinement.ratio, refinement.order)));
+}
+
+UncertaintyPart interpolation_part(const std::vector<double>& errors) {
+  constexpr const char* name = "interpolation";
+  if (std::all_of(errors.begin(), errors.end(), [](double error) { return error == 0; }))
+    return part(name, PartState::no_part, "every time of the comparison is an output of the run");
+  std::vector<double> values;
+  for (const double error : errors) values.push_back(error / std::numbers::sqrt3);
+  return part(name, PartState::estimated,
+              "between outputs: the greatest change at those next to a time when every second output is left "
+              "out, taken as bounds of a uniform distribution, over √3",
+              std::move(values));
 }
 
 UncertaintyPart input_part(const InputSampling& sampling, const std::vector<ColumnValues>& samples) {

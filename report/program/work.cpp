@@ -42,7 +42,8 @@ void say_report(const Document& document, const std::string& folder, const Optio
 
 ExitStatus status_of(const Document& document) {
   if (!document.at("complete").get<bool>()) return ExitStatus::solver_failed;
-  return document.at("all_criteria_met").get<bool>() ? ExitStatus::done : ExitStatus::criterion_not_met;
+  const bool met = document.at("all_criteria_met").get<bool>() || document.at("verdicts").empty();
+  return met ? ExitStatus::done : ExitStatus::criterion_not_met;
 }
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk) {

@@ -379,7 +379,7 @@ TEST_F(Baseline, IsRefusedBeforeAnyWork) {
   refused("text.json", "not JSON");
   write_text(folder_ / "later.json", R"({"schema_version": 99})");
   refused("later.json", "schema_version is 99");
-  write_text(folder_ / "other.json", R"({"schema_version": 1})");
+  write_text(folder_ / "other.json", R"({"schema_version": 2})");
   refused("other.json", "is missing: not the results of a run");
   run("first");
   Json damaged = results_in(folder_ / "first");

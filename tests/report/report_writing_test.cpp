@@ -24,16 +24,38 @@ TEST(SeriesError, IsTheDistanceAtTheReferenceTimes) {
   EXPECT_EQ(errors[0].max_time, 1);
   EXPECT_NEAR(errors[0].rms, 0.1 / std::sqrt(3), 1e-15);
   EXPECT_NEAR(errors[0].difference[2], -0.1, 1e-15) << "the difference is run minus reference";
-  EXPECT_EQ(errors[0].interpolated, 0u);
-  EXPECT_EQ(errors[0].missed, 0u);
+  EXPECT_EQ(errors[0].coverage.interpolated, 0u);
+  EXPECT_EQ(errors[0].coverage.demanded, 3u);
+  EXPECT_EQ(errors[0].coverage.compared, 3u);
+}
+
+/// The run with nine outputs in place of three.
+plumb::Run run_with_more_outputs() {
+  plumb::Run run = run_with("a");
+  Trajectory& motion = run.trajectory;
+  const Eigen::VectorXd q = motion.q[0], v = motion.v[0];
+  motion.times.clear();
+  motion.q.clear();
+  motion.v.clear();
+  motion.energies.assign(9, motion.energies[0]);
+  for (int k = 0; k <= 8; ++k) {
+    const double t = k / 8.0;
+    motion.times.push_back(t);
+    motion.q.push_back(q);
+    motion.v.push_back(v);
+    motion.q.back()[7] = -t * t;
+    motion.v.back()[7] = -2 * t;
+  }
+  run.probes = probe(run.loaded.spec, motion);
+  return run;
 }
 
 TEST(SeriesError, InterpolatesBetweenOutputsAndCountsIt) {
-  plumb::Run run = run_with("a");
-  run.loaded.references[0].times[1] = 0.75;
-  run.loaded.references[0].series[0].values[1] = -0.75 * 0.75;
+  plumb::Run run = run_with_more_outputs();
+  run.loaded.references[0].times[1] = 0.7;
+  run.loaded.references[0].series[0].values[1] = -0.7 * 0.7;
   const std::vector<SeriesError> errors = series_errors(run);
-  EXPECT_EQ(errors[0].interpolated, 1u);
+  EXPECT_EQ(errors[0].coverage.interpolated, 1u);
   EXPECT_NEAR(errors[0].difference[1], 0, 1e-15);
 }
 
@@ -53,7 +75,7 @@ TEST(Verdict, ThatCouldNotBeReachedIsNotRunAndDoesNotPass) {
   run.trajectory.end_time = 0.6;
   const std::vector<SeriesError> errors = series_errors(run);
   const std::vector<Verdict> found = verdicts(run, errors);
-  EXPECT_EQ(errors[0].missed, 1u);
+  EXPECT_EQ(errors[0].coverage.compared, 2u);
   EXPECT_EQ(found[0].status, VerdictStatus::not_run);
   EXPECT_EQ(found[0].value, -1);
   EXPECT_FALSE(all_passed(found));
@@ -64,7 +86,10 @@ TEST(Verdict, ReferenceBeyondTheRunIsNotRun) {
   run.loaded.references[0].times = {7, 8, 9};
   const std::vector<Verdict> found = verdicts(run, series_errors(run));
   EXPECT_EQ(found[0].status, VerdictStatus::not_run);
-  EXPECT_EQ(found[0].message, "no time of the reference is within the run, which ends at 1 s");
+  EXPECT_EQ(
+      found[0].message,
+      "only 0 of 3 times of the reference can be compared: Plumb has t = 7 s not: it is from 0 to 1 s, and "
+      "nothing is extrapolated");
 }
 
 TEST(Verdict, DistanceThatIsNotANumberFails) {
@@ -90,10 +115,12 @@ TEST(SeriesError, DoesNotOverflow) {
 }
 
 TEST(Verdict, SaysHowManyTimesWereInterpolated) {
-  plumb::Run run = run_with("a");
-  run.loaded.references[0].times[1] = 0.75;
-  EXPECT_EQ(verdicts(run, series_errors(run))[0].detail,
-            "over 3 of 3 times, the greatest at 0.75 s; 1 of them interpolated between outputs 0.5 s apart");
+  plumb::Run run = run_with_more_outputs();
+  run.loaded.references[0].times[1] = 0.7;
+  EXPECT_EQ(
+      verdicts(run, series_errors(run))[0].detail,
+      "the greatest at 0.7 s; over 3 of 3 times from 0 to 1 s, outputs at most 0.125 s apart; 1 of them "
+      "interpolated, which may be 0 m off (every second output left out)");
 }
 
 TEST(Verdict, RunOfAnotherCableIsNotHeldAgainstAReference) {
@@ -127,7 +154,7 @@ TEST(Headline, ClaimsOnlyWhatWasEvaluated) {
       "0.1 m from the published figures (at 3 of 3 times).");
   run.loaded.references[0].cable.length = 3;
   EXPECT_EQ(headline(evaluate(run, {})),
-            "Completed, but not held against anything. Of 1 criterion, 0 not met and 1 not evaluated.");
+            "Completed, but not held against anything. Of 1 criterion, 0 not met and 1 not run.");
   run.trajectory.outcome = Outcome::diverged;
   run.trajectory.message = "it broke";
   EXPECT_EQ(headline(evaluate(run, {})), "The integration did not finish (diverged): it broke.");
