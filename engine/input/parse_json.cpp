@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
@@ -61,6 +63,28 @@ std::string json_fault(const nlohmann::json::exception& error) {
   const std::size_t from = what.find('\''), to = what.rfind('\'');
   return from < to ? fmt::format("the key {} is missing", what.substr(from, to + 1 - from))
                    : "a key is missing";
+}
+
+void refuse_unusable(const std::string& file) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, why)));
+  };
+  try {
+    throw;
+  } catch (const InputError&) {
+    throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const nlohmann::json::exception& error) {
+    refuse(json_fault(error));
+  } catch (const std::bad_alloc&) {
+    refuse("it is too large for the memory at hand");
+  } catch (const std::runtime_error& error) {
+    refuse(error.what());
+  } catch (const std::exception&) {
+    refuse("its values do not fit together");
+  }
+  throw std::logic_error("no file is read");
 }
 
 }  // namespace plumb

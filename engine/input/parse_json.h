@@ -19,4 +19,8 @@ Json parse_json(const std::string& text, const std::string& name);
 /// missing", "a value has another type than it must have".
 std::string json_fault(const nlohmann::json::exception& error);
 
+/// Within a handler of what was thrown while a file was read: throws InputError and Interrupted on, and turns
+/// all else into the InputError "FILE: cannot be used: WHY".
+[[noreturn]] void refuse_unusable(const std::string& file);
+
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/output/file_writing.h"
 #include "report/page.h"
 #include "report/program/work.h"
@@ -26,8 +27,8 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
     write_file((folder / "index.html").string(), page);
     say_report(document, folder.string(), options, talk);
     return status_of(document);
-  } catch (const Document::exception& error) {
-    throw InputError(options.from + ": damaged: " + error.what());
+  } catch (const Document::exception&) {
+    refuse_unusable(options.from);
   }
 }
 
