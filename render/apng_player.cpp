@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-constexpr int opaque = 255;
+constexpr int full = 255;
 
 Image clear_picture(int width, int height) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -15,12 +15,12 @@ Image clear_picture(int width, int height) {
 }
 
 /// Mixes a pixel of an opacity over another, whose colour and opacity change.
-void blend(const std::uint8_t* color, int alpha, std::uint8_t* under, std::uint8_t& under_alpha) {
-  const int share = alpha * opaque, rest = (opaque - alpha) * under_alpha, all = share + rest;
+void mix_over(const std::uint8_t* color, int alpha, std::uint8_t* under, std::uint8_t& under_alpha) {
+  const int share = alpha * full, rest = (full - alpha) * under_alpha, all = share + rest;
   if (all == 0) return;
   for (int c = 0; c < 3; ++c)
     under[c] = static_cast<std::uint8_t>((color[c] * share + under[c] * rest + all / 2) / all);
-  under_alpha = static_cast<std::uint8_t>((all + opaque / 2) / opaque);
+  under_alpha = static_cast<std::uint8_t>((all + full / 2) / full);
 }
 
 /// Puts a frame in its place.
@@ -31,9 +31,9 @@ void put(const Image& image, const PngFrame& frame, Image& canvas) {
     stop_if_interrupted();
     std::size_t to = static_cast<std::size_t>(frame.y + y) * wide + static_cast<std::size_t>(frame.x);
     for (int x = 0; x < image.width; ++x, ++from, ++to) {
-      const int alpha = image.alpha.empty() ? opaque : image.alpha[from];
-      if (frame.blends && alpha < opaque) {
-        blend(&image.rgb[3 * from], alpha, &canvas.rgb[3 * to], canvas.alpha[to]);
+      const int alpha = image.alpha.empty() ? full : image.alpha[from];
+      if (frame.blends && alpha < full) {
+        mix_over(&image.rgb[3 * from], alpha, &canvas.rgb[3 * to], canvas.alpha[to]);
         continue;
       }
       std::copy_n(&image.rgb[3 * from], 3, &canvas.rgb[3 * to]);
@@ -42,7 +42,7 @@ void put(const Image& image, const PngFrame& frame, Image& canvas) {
   }
 }
 
-void clear(const PngFrame& frame, Image& canvas) {
+void clear_part(const PngFrame& frame, Image& canvas) {
   for (int y = frame.y; y < frame.y + frame.height; ++y)
     std::fill_n(canvas.alpha.begin() + std::ptrdiff_t{y} * canvas.width + frame.x, frame.width,
                 std::uint8_t{0});
@@ -68,7 +68,7 @@ const PngPixels& ApngPlayer::show(std::size_t k) {
 }
 
 void ApngPlayer::draw(const PngFrame& frame) {
-  if (last_ != nullptr && last_->after == FrameAfter::is_cleared) clear(*last_, shown_.image);
+  if (last_ != nullptr && last_->after == FrameAfter::is_cleared) clear_part(*last_, shown_.image);
   if (last_ != nullptr && last_->after == FrameAfter::is_undone) shown_.image = before_;
   if (frame.after == FrameAfter::is_undone) before_ = shown_.image;
   const PngPixels drawn = decode_frame(file_, frame, name_);

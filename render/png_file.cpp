@@ -58,9 +58,9 @@ struct ColorChunks {
 };
 
 /// Goes through the chunks in their order.
-class Reader {
+class ChunkReader {
  public:
-  explicit Reader(const std::string& name) : name_(name) {}
+  explicit ChunkReader(const std::string& name) : name_(name) {}
 
   PngFile read(const std::vector<PngChunk>& chunks) {
     read_header(chunks.front().data);
@@ -249,7 +249,7 @@ class Reader {
 }  // namespace
 
 PngFile read_png_file(std::string_view bytes, const std::string& name) {
-  return Reader(name).read(png_chunks(bytes, name));
+  return ChunkReader(name).read(png_chunks(bytes, name));
 }
 
 }  // namespace plumb

@@ -43,11 +43,11 @@ void read_bytes(png_structp png, png_bytep to, std::size_t size) {
 void say_nothing(png_structp /*png*/, png_const_charp /*message*/) {}
 
 /// What libpng keeps while it reads.
-struct Reader {
-  explicit Reader(png_structp made) : png(made) {}
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+struct Decoder {
+  explicit Decoder(png_structp made) : png(made) {}
+  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
 
   png_structp png;
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
@@ -101,7 +101,7 @@ class Taker {
 
 // Nothing in these two functions has a destructor, as libpng's errors jump out of what they call; what they
 // throw themselves passes none of libpng.
-bool begin(png_structp png, png_infop info) {
+bool begin_rows(png_structp png, png_infop info) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_user_limits(png, most_png_side, most_png_side);
   png_read_info(png, info);
@@ -113,8 +113,8 @@ bool begin(png_structp png, png_infop info) {
   return true;
 }
 
-bool read(png_structp png, std::vector<png_byte>& rows, std::size_t height, int passes, bool deep,
-          Taker& taker) {
+bool read_rows(png_structp png, std::vector<png_byte>& rows, std::size_t height, int passes, bool deep,
+               Taker& taker) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   const std::size_t stride = passes > 1 ? rows.size() / height : 0;
   for (int pass = 1; pass <= passes; ++pass)
@@ -129,17 +129,18 @@ bool read(png_structp png, std::vector<png_byte>& rows, std::size_t height, int 
 
 PngPixels decode(const std::string& bytes, int width, int height, const std::string& name) {
   std::string_view rest = bytes;
-  const Reader reader(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, jump, say_nothing));
-  if (reader.info == nullptr) throw std::bad_alloc();
-  png_set_read_fn(reader.png, &rest, read_bytes);
-  if (!begin(reader.png, reader.info)) throw InputError(name + ": the PNG file is damaged before its pixels");
-  const bool interlaced = png_get_interlace_type(reader.png, reader.info) != PNG_INTERLACE_NONE;
+  const Decoder decoder(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, jump, say_nothing));
+  if (decoder.info == nullptr) throw std::bad_alloc();
+  png_set_read_fn(decoder.png, &rest, read_bytes);
+  if (!begin_rows(decoder.png, decoder.info))
+    throw InputError(name + ": the PNG file is damaged before its pixels");
+  const bool interlaced = png_get_interlace_type(decoder.png, decoder.info) != PNG_INTERLACE_NONE;
   constexpr int passes_of_interlaced = 7;
   const std::size_t rows = interlaced ? static_cast<std::size_t>(height) : 1;
-  std::vector<png_byte> buffer(rows * png_get_rowbytes(reader.png, reader.info));
+  std::vector<png_byte> buffer(rows * png_get_rowbytes(decoder.png, decoder.info));
   Taker taker(width, height);
-  if (!read(reader.png, buffer, static_cast<std::size_t>(height), interlaced ? passes_of_interlaced : 1,
-            png_get_bit_depth(reader.png, reader.info) > 8, taker))
+  if (!read_rows(decoder.png, buffer, static_cast<std::size_t>(height), interlaced ? passes_of_interlaced : 1,
+                 png_get_bit_depth(decoder.png, decoder.info) > 8, taker))
     throw InputError(name + ": the pixels of the PNG file are damaged");
   return taker.taken();
 }

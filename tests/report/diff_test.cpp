@@ -218,7 +218,7 @@ TEST(Diff, PicturesAreComparedAsTheyAreSeen) {
 struct MadeAnimation {
   std::string still_pixel = "abc";
   bool still_is_frame = false;
-  std::vector<std::string> pixels{"abc", "def"};
+  std::vector<std::string> pixels{"abc", "XYZ"};
   std::uint32_t plays = 0;
   std::vector<MadeFrame> frames{{2, 2}, {2, 2}};
 
