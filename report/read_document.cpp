@@ -8,6 +8,7 @@
 #include "engine/input/file_text.h"
 #include "engine/input/parse_json.h"
 #include "engine/input/place.h"
+#include "engine/interrupt.h"
 #include "render/apng.h"
 #include "render/png_file.h"
 #include "report/document.h"
@@ -30,38 +31,53 @@ Enum from_word(const std::string& text, std::initializer_list<Enum> all) {
   throw InputError(fmt::format("results.json: \"{}\" is unknown", text));
 }
 
-/// A PNG file that a document names: within its folder, links in it followed, and nothing else.
-std::string read_picture(const fs::path& folder, const std::string& file) {
-  const auto refuse = [&](const char* why) {
-    throw InputError(one_line(fmt::format("results.json: picture {}: {}", file, why)));
-  };
-  const fs::path inner = fs::path(file).lexically_normal();
-  if (inner.empty() || inner.is_absolute() || *inner.begin() == "..")
-    refuse("is not in the folder of the document");
-  std::error_code error;
-  const fs::path path = fs::canonical(folder / inner, error);
-  if (error) refuse("cannot be read");
-  const fs::path seen = path.lexically_relative(fs::canonical(folder, error));
-  if (error || seen.empty() || *seen.begin() == "..") refuse("is a link out of the folder of the document");
-  if (!fs::is_regular_file(path, error)) refuse("is no file");
-  std::string png = read_whole_file(path.string());
-  read_png_file(png, (folder / inner).string());
-  return png;
-}
+/// Reads the PNG files that a document names: those within its folder, links followed, and nothing else.
+class PictureReader {
+ public:
+  explicit PictureReader(fs::path folder) : folder_(std::move(folder)) {}
 
-std::vector<Picture> read_pictures(const Document& list, const fs::path& folder) {
-  std::vector<Picture> pictures;
-  for (const Document& item : list) {
-    Picture picture;
-    picture.file = item.at("file").get<std::string>();
-    picture.title = item.at("title").get<std::string>();
-    picture.alt = item.at("alt").get<std::string>();
-    picture.tall = item.at("tall").get<bool>();
-    picture.png = read_picture(folder, picture.file);
-    pictures.push_back(std::move(picture));
+  std::string read(const std::string& file) {
+    const fs::path inner = fs::path(file).lexically_normal();
+    const bool whole = !file.empty() && file.find('\0') == std::string::npos;
+    if (!whole || inner.is_absolute() || *inner.begin() == "..")
+      refuse(file, "is not in the folder of the document");
+    std::error_code error;
+    const fs::path path = fs::canonical(folder_ / inner, error);
+    if (error) refuse(file, "cannot be read");
+    const fs::path seen = path.lexically_relative(fs::canonical(folder_, error));
+    if (error || seen.empty() || *seen.begin() == "..")
+      refuse(file, "is a link out of the folder of the document");
+    if (!fs::is_regular_file(path, error)) refuse(file, "is no file");
+    std::string png = read_whole_file(path.string());
+    if (png.size() > room_) refuse(file, "and those before it are too large for a page");
+    room_ -= png.size();
+    read_png_file(png, (folder_ / inner).string());
+    return png;
   }
-  return pictures;
-}
+
+  std::vector<Picture> read_all(const Document& list) {
+    std::vector<Picture> pictures;
+    for (const Document& item : list) {
+      stop_if_interrupted();
+      Picture picture;
+      picture.file = item.at("file").get<std::string>();
+      picture.title = item.at("title").get<std::string>();
+      picture.alt = item.at("alt").get<std::string>();
+      picture.tall = item.at("tall").get<bool>();
+      picture.png = read(picture.file);
+      pictures.push_back(std::move(picture));
+    }
+    return pictures;
+  }
+
+ private:
+  [[noreturn]] static void refuse(const std::string& file, const char* why) {
+    throw InputError(one_line(fmt::format("results.json: picture '{}': {}", file, why)));
+  }
+
+  fs::path folder_;
+  std::size_t room_ = 256U << 20;  ///< bytes
+};
 
 /// A count, of frames or pixels.
 int count_in(const Document& object, const char* key) {
@@ -114,12 +130,12 @@ std::vector<Verdict> verdicts_of(const Document& document) {
 }
 
 Pictures pictures_of(const Document& document, const std::string& folder) {
-  const fs::path path = folder;
+  PictureReader reader(folder);
   Pictures pictures;
-  pictures.figures = read_pictures(document.at("figures"), path);
-  if (document.contains("study_figures")) pictures.study = read_pictures(document.at("study_figures"), path);
+  pictures.figures = reader.read_all(document.at("figures"));
+  if (document.contains("study_figures")) pictures.study = reader.read_all(document.at("study_figures"));
   if (document.contains("error_budget_figures"))
-    pictures.budget = read_pictures(document.at("error_budget_figures"), path);
+    pictures.budget = reader.read_all(document.at("error_budget_figures"));
   const Document& animation = document.at("animation");
   pictures.frames = count_in(animation, "frames");
   pictures.first_frame = count_in(animation, "first_frame");
@@ -131,8 +147,8 @@ Pictures pictures_of(const Document& document, const std::string& folder) {
   if (animation.contains("notes"))
     pictures.animation_notes = animation.at("notes").get<std::vector<std::string>>();
   if (!pictures.animated()) return pictures;
-  pictures.page_animation = read_picture(path, player_file);
-  pictures.page_still = split_apng(pictures.page_animation, (path / player_file).string()).back();
+  pictures.page_animation = reader.read(player_file);
+  pictures.page_still = split_apng(pictures.page_animation, (fs::path(folder) / player_file).string()).back();
   return pictures;
 }
 
