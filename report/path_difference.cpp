@@ -99,7 +99,7 @@ std::vector<FileDifference> compare_folders(const fs::path& a, const fs::path& b
 }
 
 /// The path without links, which need not be there.
-fs::path plain(const std::string& path) {
+fs::path without_links(const std::string& path) {
   std::error_code error;
   fs::path result = fs::weakly_canonical(fs::absolute(path, error), error).lexically_normal();
   return result.has_filename() ? result : result.parent_path();
@@ -118,7 +118,6 @@ std::vector<FileDifference> compare_paths(const std::string& a, const std::strin
   if (folder != is_folder(b))
     throw InputError(one_line(fmt::format("{} is a {}, {} is not", a, folder ? "folder" : "file", b)));
   if (folder) return compare_folders(a, b, options);
-  // What A is called says nothing of what it holds where B is called otherwise.
   const std::string name = fs::path(b).filename().string();
   FileDifference only = compare_two(name, a, b, options);
   if (only.sameness == Sameness::unreadable) throw InputError(one_line(only.in_words));
@@ -126,7 +125,7 @@ std::vector<FileDifference> compare_paths(const std::string& a, const std::strin
 }
 
 std::string overlap(const std::string& a, const std::string& b) {
-  const fs::path first = plain(a), second = plain(b);
+  const fs::path first = without_links(a), second = without_links(b);
   std::error_code ignored;
   if (first == second || fs::equivalent(first, second, ignored))
     return one_line(fmt::format("{} and {} are the same", a, b));
