@@ -32,6 +32,7 @@ struct DifferenceOptions {
   std::optional<int> channel;
   std::optional<double> density;
   double numbers = 1e-9;  ///< of numbers, relative to the largest of their column
+  bool pictures = false;  ///< keep those that differ, for a page
 };
 
 /// Two files of one name beside each other.
@@ -40,7 +41,7 @@ struct FileDifference {
   Sameness sameness = Sameness::not_compared;
   double number = -1;    ///< greatest density (pictures) or relative difference (numbers); -1: none
   std::string in_words;  ///< with the numbers
-  /// PNG files for the eye, where pictures differ.
+  /// PNG files for the eye, where pictures differ and are asked for.
   std::string first, second, marks;
 };
 

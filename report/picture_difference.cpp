@@ -56,8 +56,8 @@ bool same_data(const PngFile& a, const std::vector<std::string_view>& data, cons
 /// Holds pairs of pictures against each other and keeps the worst.
 class Comparison {
  public:
-  Comparison(const DifferenceTolerance& tolerance, bool to_the_byte)
-      : tolerance_(tolerance), to_the_byte_(to_the_byte) {}
+  Comparison(const DifferenceTolerance& tolerance, bool to_the_byte, bool show)
+      : tolerance_(tolerance), to_the_byte_(to_the_byte), show_(show) {}
 
   void compare(const std::string& what, const PngPixels& a, const PngPixels& b) {
     const ImageDifference found = difference(a.image, b.image, tolerance_);
@@ -74,6 +74,7 @@ class Comparison {
     result.in_words = what + (found.changed > 0 ? in_words(found, tolerance_)
                                                 : "pixels differ by less than 8 bits a channel can tell");
     if (to_the_byte_) result.in_words += "; the same renderer must give the same bytes";
+    if (!show_) return;
     result.first = encode_png(a.image);
     result.second = encode_png(b.image);
     result.marks = encode_png(difference_image(a.image, b.image, tolerance_));
@@ -84,6 +85,7 @@ class Comparison {
  private:
   DifferenceTolerance tolerance_;
   bool to_the_byte_;
+  bool show_;
 };
 
 }  // namespace
@@ -97,7 +99,7 @@ FileDifference compare_pictures(const std::string& a, const std::string& name_a,
   const auto drawn_by = text_in_png(a, renderer_keyword, name_a);
   const bool same_renderer = drawn_by && drawn_by == text_in_png(b, renderer_keyword, name_b);
   Comparison all({options.channel.value_or(defaults.channel), options.density.value_or(defaults.density)},
-                 same_renderer && !options.channel && !options.density);
+                 same_renderer && !options.channel && !options.density, options.pictures);
   // Where it is a frame of both, it is compared as that.
   const bool still = first.frames.empty() || !first.still_is_frame || !second.still_is_frame;
   if (still && !same_data(first, first.data, second, second.data))

@@ -66,13 +66,13 @@ void say(const std::vector<FileDifference>& files, Talk& talk) {
 }  // namespace
 
 ExitStatus diff_verb(const Options& options, Talk& talk) {
-  DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers};
+  DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers, !options.html.empty()};
   if (options.numbers) how.numbers = *options.numbers;
   const std::string overlapping = overlap(options.input, options.other);
   if (options.accept && !overlapping.empty())
     throw UsageError("--accept would put one in the place of the other: " + overlapping);
   check_page(options);
-  if (!overlapping.empty()) talk.line("note: " + overlapping);
+  if (!overlapping.empty()) talk.remark(overlapping);
   std::error_code ignored;
   const bool first_there = fs::exists(options.input, ignored) || !options.accept;
   std::vector<FileDifference> files;
