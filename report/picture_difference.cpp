@@ -54,9 +54,9 @@ bool same_data(const PngFile& a, const std::vector<std::string_view>& data, cons
 }
 
 /// Holds pairs of pictures against each other and keeps the worst.
-class Comparison {
+class WorstDifference {
  public:
-  Comparison(const DifferenceTolerance& tolerance, bool to_the_byte, bool show)
+  WorstDifference(const DifferenceTolerance& tolerance, bool to_the_byte, bool show)
       : tolerance_(tolerance), to_the_byte_(to_the_byte), show_(show) {}
 
   void compare(const std::string& what, const PngPixels& a, const PngPixels& b) {
@@ -98,8 +98,9 @@ FileDifference compare_pictures(const std::string& a, const std::string& name_a,
   const DifferenceTolerance defaults;
   const auto drawn_by = text_in_png(a, renderer_keyword, name_a);
   const bool same_renderer = drawn_by && drawn_by == text_in_png(b, renderer_keyword, name_b);
-  Comparison all({options.channel.value_or(defaults.channel), options.density.value_or(defaults.density)},
-                 same_renderer && !options.channel && !options.density, options.pictures);
+  WorstDifference all(
+      {options.channel.value_or(defaults.channel), options.density.value_or(defaults.density)},
+      same_renderer && !options.channel && !options.density, options.pictures);
   // Where it is a frame of both, it is compared as that.
   const bool still = first.frames.empty() || !first.still_is_frame || !second.still_is_frame;
   if (still && !same_data(first, first.data, second, second.data))

@@ -153,7 +153,7 @@ TEST(StabilityFile, CutAnywhereIsRefused) {
 
 TEST(StabilityFile, AnyValueThatWasChangedIsReadOrRefusedInWords) {
   using Json = nlohmann::ordered_json;
-  expect_changes_read_or_refused(Json::parse(encode_stability(tiny_stability())), 200,
+  expect_changes_read_or_refused(Json::parse(encode_stability(tiny_stability())), 50,
                                  [](const Json& changed) {
                                    const std::string why = refusal_of(changed.dump());
                                    return why == "accepted" ? "" : why;
