@@ -72,11 +72,11 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
   if (options.accept && !overlapping.empty())
     throw UsageError("--accept would put one in the place of the other: " + overlapping);
   check_page(options);
-  if (!overlapping.empty()) talk.remark(overlapping);
   std::error_code ignored;
   const bool first_there = fs::exists(options.input, ignored) || !options.accept;
   std::vector<FileDifference> files;
   if (first_there) files = compare_paths(options.input, options.other, how);
+  if (!overlapping.empty()) talk.remark(overlapping);
 
   const bool different = differs(files);
   if (first_there) say(files, talk);
