@@ -223,7 +223,7 @@ std::string to_summary(const EconomyResults& results) {
                   escape_markdown(headline(results)));
   text += verdict_table(results.verdicts);
   for (const std::string& line : need_lines(results.study)) {
-    const std::string item = "\n-" + escape_markdown(line).substr(1);
+    const std::string item = "\n-" + escape_markdown(line.substr(1));
     if (text.size() + item.size() < most) text += item;
   }
   return text + "\n";

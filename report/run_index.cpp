@@ -150,7 +150,8 @@ std::string index_summary(const Document& index) {
   for (const Document& one : index.at("reports")) {
     const std::string row =
         fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(text(one, "folder")),
-                    rank(one) == 3 ? text(one, "outcome") : fmt::format("**{}**", text(one, "outcome")),
+                    rank(one) == 3 ? escape_markdown(text(one, "outcome"))
+                                   : fmt::format("**{}**", escape_markdown(text(one, "outcome"))),
                     one.at("criteria").get<long>(), one.at("failed").get<long>(),
                     one.at("not_run").get<long>(), escape_markdown(text(one, "headline")));
     if (summary.size() + row.size() > size_limit)

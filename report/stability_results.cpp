@@ -162,7 +162,8 @@ std::string to_summary(const StabilityResults& results) {
   const Stability& study = results.study.result;
   std::string text = fmt::format("# Stability: {}\n\n{}\n\n", escape_markdown(study.title),
                                  escape_markdown(headline(results)));
-  text += fmt::format("At {}{} over {:g} s, to {:g} m:\n\n", parameter_text(study, study.parameter_value),
+  text += fmt::format("At {}{} over {:g} s, to {:g} m:\n\n",
+                      escape_markdown(parameter_text(study, study.parameter_value)),
                       (study.parameter.empty() ? "" : ", ") + counted(study.elements, "element", "elements"),
                       study.end, study.tolerance);
   for (const OutcomeMap& map : study.maps)

@@ -233,8 +233,8 @@ std::string to_summary(const SweepResults& results) {
   for (const SweepRun& run : sweep.runs) {
     const std::string trouble = trouble_of(run, sweep.spec.tolerance);
     if (trouble.empty() || listed++ >= most_listed) continue;
-    text +=
-        fmt::format("\n- case {}: {}: `{}`", run.number, escape_markdown(trouble), command_of(sweep, run));
+    text += fmt::format("\n- case {}: {}: {}", run.number, escape_markdown(trouble),
+                        markdown_code(command_of(sweep, run)));
   }
   if (listed > most_listed) text += fmt::format("\n- and {} more", listed - most_listed);
   return text + (listed > 0 ? "\n" : "");

@@ -9,6 +9,7 @@
 #include "engine/errors.h"
 #include "engine/input/place.h"
 #include "engine/output/known_time.h"
+#include "engine/input/parse_json.h"
 #include "engine/study/budget_json.h"
 #include "engine/study/json_numbers.h"
 #include "engine/study/uncertainty_json.h"
@@ -63,8 +64,8 @@ void check_budget(const ErrorBudget& budget, const Case& spec) {
     refuse_other_run("the case has another error budget");
 }
 
-Assessment read(const std::string& text, const Run& run) {
-  const Json json = Json::parse(text);
+Assessment read(const std::string& text, const std::string& file, const Run& run) {
+  const Json json = parse_json<Json>(text, file);
   if (json.at("kind").get<std::string>() != "assessment") throw std::runtime_error("it is no assessment");
   if (const int version = json.at("version").get<int>(); version < 1 || version > assessment_version)
     throw std::runtime_error(
@@ -92,11 +93,9 @@ std::string encode_assessment(const Assessment& assessment) {
 
 Assessment decode_assessment(const std::string& text, const std::string& file, const Run& run) {
   try {
-    return read(text, run);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    return read(text, file, run);
+  } catch (...) {
+    refuse_unusable(file);
   }
 }
 

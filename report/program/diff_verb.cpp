@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "engine/errors.h"
 #include "engine/input/file_text.h"
+#include "engine/input/place.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/output_folder.h"
 #include "report/difference_page.h"
@@ -31,11 +32,10 @@ void accept(const fs::path& a, const fs::path& b) {
 }
 
 nlohmann::ordered_json to_json(const std::vector<FileDifference>& files, bool accepted) {
-  nlohmann::ordered_json json{
-      {"different",
-       std::any_of(files.begin(), files.end(), [](const FileDifference& f) { return fails(f.sameness); })},
-      {"accepted", accepted},
-      {"files", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"different", differs(files)},
+                              {"compared", compared(files)},
+                              {"accepted", accepted},
+                              {"files", nlohmann::ordered_json::array()}};
   for (const FileDifference& file : files)
     json["files"].push_back({{"name", file.name},
                              {"result", word(file.sameness)},
@@ -44,25 +44,42 @@ nlohmann::ordered_json to_json(const std::vector<FileDifference>& files, bool ac
   return json;
 }
 
+/// Nothing that is compared is written over by the page about it.
+void check_page(const Options& options) {
+  std::error_code ignored;
+  if (options.html.empty() || !fs::exists(options.html, ignored)) return;
+  for (const std::string& compared : {options.input, options.other})
+    if (const std::string how = overlap(compared, options.html); !how.empty())
+      throw UsageError(fmt::format("--html {}: is there, and {}", options.html, how));
+}
+
+void say(const std::vector<FileDifference>& files, Talk& talk) {
+  for (const FileDifference& file : files) {
+    if (file.sameness == Sameness::identical || file.sameness == Sameness::not_compared) continue;
+    const std::string result = fmt::format("{:<17}", word(file.sameness));
+    talk.line(fmt::format("  {}{}", fails(file.sameness) ? talk.bad(result) : result,
+                          one_line(file.name + ": " + file.in_words)));
+  }
+  talk.line(headline(files));
+}
+
 }  // namespace
 
 ExitStatus diff_verb(const Options& options, Talk& talk) {
-  DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers};
+  DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers, !options.html.empty()};
   if (options.numbers) how.numbers = *options.numbers;
+  const std::string overlapping = overlap(options.input, options.other);
+  if (options.accept && !overlapping.empty())
+    throw UsageError("--accept would put one in the place of the other: " + overlapping);
+  check_page(options);
   std::error_code ignored;
   const bool first_there = fs::exists(options.input, ignored) || !options.accept;
   std::vector<FileDifference> files;
   if (first_there) files = compare_paths(options.input, options.other, how);
+  if (!overlapping.empty()) talk.remark(overlapping);
 
-  const bool different = std::any_of(files.begin(), files.end(),
-                                     [](const FileDifference& file) { return fails(file.sameness); });
-  for (const FileDifference& file : files) {
-    if (file.sameness == Sameness::identical || file.sameness == Sameness::not_compared) continue;
-    const std::string result = fmt::format("{:<17}", word(file.sameness));
-    talk.line(fmt::format("  {}{}: {}", fails(file.sameness) ? talk.bad(result) : result, file.name,
-                          file.in_words));
-  }
-  if (first_there) talk.line(headline(files));
+  const bool different = differs(files);
+  if (first_there) say(files, talk);
   if (!options.html.empty()) {
     write_file(options.html, to_difference_page(options.input, options.other, files));
     talk.line("page: " + options.html);
@@ -75,7 +92,7 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
     talk.line("nothing to accept");
   }
   if (options.json) print_json(to_json(files, accepts));
-  return different && !accepts ? ExitStatus::criterion_not_met : ExitStatus::done;
+  return !accepts && (different || compared(files) == 0) ? ExitStatus::criterion_not_met : ExitStatus::done;
 }
 
 }  // namespace plumb

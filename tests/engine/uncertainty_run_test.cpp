@@ -191,7 +191,7 @@ TEST(AssessmentFile, OfAnotherRunOrDamagedIsRefused) {
   }());
   for (const auto& [message, says] : std::vector<std::pair<std::string, std::string>>{
            {refused(text, heavier), "it is that of another run: book: mid.y differs from the reference by"},
-           {refused(text.substr(0, text.size() / 2), run), "a.json: cannot be used: "},
+           {refused(text.substr(0, text.size() / 2), run), ": is not JSON"},
            {refused(changed("assessment", "sweep"), run), "it is no assessment"},
            {refused(changed("\"version\": 1", "\"version\": 2"), run),
             "its version is 2, this program reads up to 1"},
