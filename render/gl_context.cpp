@@ -6,20 +6,12 @@
 #include <cstdlib>
 
 #include "engine/errors.h"
+#include "render/environment.h"
 #include "render/gl.h"
 
 namespace plumb {
 
 namespace {
-
-void refuse_crashing_environment() {
-  // The driver would leave a cache of compiled shaders in the home folder.
-  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
-  const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
-  if (width != nullptr && std::strtol(width, nullptr, 10) >= 512)
-    throw OutputError(fmt::format(
-        "LP_NATIVE_VECTOR_WIDTH={}: the software renderer crashes with it; unset it or use 256", width));
-}
 
 // What a driver that draws on the processor may use of it, which moves a lit pixel by a level here and there.
 std::string instructions(const std::string& renderer) {
@@ -56,7 +48,9 @@ const char* error_name(GLenum error) {
 }  // namespace
 
 GlContext::GlContext(const GlBackendChoice& choice) {
-  refuse_crashing_environment();
+  check_environment();
+  // The driver would leave a cache of compiled shaders in the home folder.
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   backend_ = make_gl_backend(choice);
   make_current();
 

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "engine/errors.h"
+#include "engine/interrupt.h"
 
 namespace plumb {
 namespace {
@@ -65,6 +66,7 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
     fs::permissions(working, fs::perms::all & ~current_mask());
     path_ = target.string();
     working_ = working;
+    begin_unfinished(working_);
   } catch (const fs::filesystem_error& error) {
     fail(path_, error.code().message());
   }
@@ -72,7 +74,9 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;
-  if (!committed_) fs::remove_all(working_, ignored);
+  if (committed_) return;
+  fs::remove_all(working_, ignored);
+  end_unfinished(working_);
 }
 
 void OutputFolder::keep(const std::string& name) {
@@ -84,6 +88,7 @@ void OutputFolder::keep(const std::string& name) {
 }
 
 std::string OutputFolder::file(const std::string& name) const {
+  stop_if_interrupted();
   const fs::path path = fs::path(working_) / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
@@ -92,6 +97,9 @@ std::string OutputFolder::file(const std::string& name) const {
 }
 
 void OutputFolder::commit() {
+  stop_if_interrupted();
+  const Undivided undivided;
+  end_unfinished(working_);
   std::error_code error;
   if (fs::exists(path_)) {
     // An exchange leaves no moment without a folder; where the file system has none, two renames do.
