@@ -66,7 +66,7 @@ void remove_unfinished() {
 
 /// Ends a program that was asked to stop and did not.
 void* watch(void*) {
-  constexpr long patience = 600;
+  constexpr long patience = 400;
   while (::sem_wait(&stop_asked_for) != 0) {
   }
   wait_a_moment(patience);

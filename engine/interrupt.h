@@ -6,7 +6,7 @@
 namespace plumb {
 
 /// Makes SIGINT, SIGTERM and SIGHUP ask the running work to stop instead of killing the program; a second one
-/// kills it. Work that does not stop by itself within some 0.6 s, as within a library, is ended from outside:
+/// kills it. Work that does not stop by itself within some 0.4 s, as within a library, is ended from outside:
 /// what is Unfinished is removed, and the program exits with status 130. Writes to a closed pipe or beyond a
 /// file size limit fail instead of killing it.
 void catch_interrupts();

@@ -41,7 +41,9 @@ std::span<const EnvironmentVariable> environment_variables() {
 }
 
 void check_environment() {
-  GlBackendChoice::from_environment();
+  // An empty one leaves the choice to what is there, which is looked for where it is needed.
+  const char* backend = std::getenv("PLUMB_GL");
+  if (backend != nullptr && *backend != '\0') GlBackendChoice::from_environment();
   check_vector_width();
 }
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <future>
+#include <thread>
+#include <vector>
 
 #include "engine/errors.h"
 #include "render/environment.h"
@@ -12,6 +15,27 @@
 namespace plumb {
 
 namespace {
+
+/// Whether so many threads can run at once.
+bool threads_can_be_had(unsigned count) {
+  std::promise<void> all_there;
+  const std::shared_future<void> end = all_there.get_future().share();
+  std::vector<std::jthread> threads;
+  bool there = true;
+  try {
+    for (unsigned k = 0; k < count; ++k) threads.emplace_back([end] { end.wait(); });
+  } catch (const std::exception&) {
+    there = false;
+  }
+  all_there.set_value();
+  return there;
+}
+
+/// The software renderer waits for ever for threads that it could not start; without any it draws in ours.
+void draw_with_threads_there_are() {
+  if (!threads_can_be_had(std::max(1U, std::thread::hardware_concurrency())))
+    ::setenv("LP_NUM_THREADS", "0", 1);
+}
 
 // What a driver that draws on the processor may use of it, which moves a lit pixel by a level here and there.
 std::string instructions(const std::string& renderer) {
@@ -49,6 +73,7 @@ const char* error_name(GLenum error) {
 
 GlContext::GlContext(const GlBackendChoice& choice) {
   check_environment();
+  draw_with_threads_there_are();
   // The driver would leave a cache of compiled shaders in the home folder.
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   backend_ = make_gl_backend(choice);

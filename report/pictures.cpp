@@ -67,11 +67,11 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
+    const auto encode = [image = std::make_shared<const Image>(plots.draw(figure.plot)), &texts] {
+      return encode_png(*image, texts);
+    };
     // Where no thread is to be had the picture is encoded once it is asked for.
-    encoding.push_back(std::async(std::launch::async | std::launch::deferred,
-                                  [image = std::make_shared<const Image>(plots.draw(figure.plot)), &texts] {
-                                    return encode_png(*image, texts);
-                                  }));
+    encoding.push_back(std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();
   }
   while (!encoding.empty()) take_first();
