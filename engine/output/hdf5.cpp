@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -34,6 +35,9 @@ void require(herr_t status, const std::string& what) {
 }
 
 void silence() {
+  // What it would tidy up at the end is the system's by then, and where memory had run out it crashes over
+  // it.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -58,6 +62,15 @@ Handle space_of(const std::vector<hsize_t>& shape) {
 
 hsize_t count_of(const std::vector<hsize_t>& shape) {
   return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+}
+
+/// The library does not bear that memory runs out within it: so much is asked for and given back before.
+/// Throws std::bad_alloc.
+void must_have_room(std::size_t bytes) {
+  constexpr std::size_t own_needs = 4 << 20;
+  const std::unique_ptr<char[]> room(new char[bytes + own_needs]);
+  // Not to be left out.
+  static_cast<volatile char*>(room.get())[0] = 0;
 }
 
 /// Calls what makes a part of a file in memory, which fails for want of memory alone. Throws std::bad_alloc.
@@ -107,6 +120,7 @@ OpenSet open(hid_t file, const std::string& path, H5T_class_t expected) {
 }  // namespace
 
 Writer::Writer() {
+  must_have_room(0);
   silence();
   make_in_memory([this] { open_empty(); });
 }
@@ -125,6 +139,7 @@ Writer::~Writer() {
 
 void Writer::numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
                      std::string_view unit) {
+  must_have_room(2 * sizeof(double) * count_of(shape));
   make_in_memory([&] { write(file_, path, H5T_NATIVE_DOUBLE, shape, values, unit); });
 }
 

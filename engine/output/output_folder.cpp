@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <new>
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
@@ -73,9 +74,13 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;
   if (committed_) return;
-  fs::remove_all(working_, ignored);
+  try {
+    std::error_code ignored;
+    fs::remove_all(working_, ignored);
+  } catch (const std::bad_alloc&) {
+    // Left behind, as after a kill.
+  }
   end_unfinished(working_);
 }
 

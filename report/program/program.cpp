@@ -273,8 +273,8 @@ int parse_and_act(int count, const char* const* arguments) {
 }  // namespace
 
 int program(int count, const char* const* arguments) {
-  catch_interrupts();
   try {
+    catch_interrupts();
     return parse_and_act(count, arguments);
   } catch (const UsageError& error) {
     return fail(error.what(), ExitStatus::wrong_usage);
