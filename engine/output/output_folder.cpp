@@ -40,6 +40,19 @@ bool is_mount_point(const fs::path& path) {
          own.st_dev != parent.st_dev;
 }
 
+/// Removes a folder as far as it can be, and throws nothing.
+void remove_for_good(const std::string& path) {
+  constexpr int attempts = 2;  // a lack of memory may have passed
+  for (int k = 0; k < attempts; ++k) {
+    try {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+      return;
+    } catch (const std::bad_alloc&) {
+    }
+  }
+}
+
 fs::perms current_mask() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
@@ -75,12 +88,7 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
 
 OutputFolder::~OutputFolder() {
   if (committed_) return;
-  try {
-    std::error_code ignored;
-    fs::remove_all(working_, ignored);
-  } catch (const std::bad_alloc&) {
-    // Left behind, as after a kill.
-  }
+  remove_for_good(working_);
   end_unfinished(working_);
 }
 
@@ -110,7 +118,7 @@ void OutputFolder::commit() {
     // An exchange leaves no moment without a folder; where the file system has none, two renames do.
     if (::renameat2(AT_FDCWD, working_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0) {
       committed_ = true;
-      fs::remove_all(working_, error);
+      remove_for_good(working_);
       return;
     }
     const std::string old = working_ + ".old";
@@ -123,7 +131,7 @@ void OutputFolder::commit() {
       fail(path_, error.message());
     }
     committed_ = true;
-    fs::remove_all(old, error);
+    remove_for_good(old);
     return;
   }
   fs::rename(working_, path_, error);

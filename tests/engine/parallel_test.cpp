@@ -27,23 +27,23 @@ TEST(Parallel, ThrowsWhatAPieceOfWorkThrows) {
                std::runtime_error);
 }
 
+[[noreturn]] void work_without_threads() {
+  long pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  // Less than the stack of a thread is left.
+  const rlim_t left = static_cast<rlim_t>(pages * ::sysconf(_SC_PAGESIZE)) + (1 << 20);
+  const rlimit limit{left, left};
+  ::setrlimit(RLIMIT_AS, &limit);
+  int done = 0;
+  for_each_in_parallel(100, [&](std::size_t) { ++done; });
+  std::_Exit(done == 100 ? 0 : 1);
+}
+
 TEST(ParallelDeathTest, DoesItAllWhereNoThreadIsToBeHad) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "a sanitizer needs the address space that is taken away here";
 #endif
-  EXPECT_EXIT(
-      {
-        long pages = 0;
-        std::ifstream("/proc/self/statm") >> pages;
-        // Less than the stack of a thread is left.
-        const auto left = static_cast<rlim_t>(pages * ::sysconf(_SC_PAGESIZE)) + (1 << 20);
-        const rlimit limit{left, left};
-        ::setrlimit(RLIMIT_AS, &limit);
-        int done = 0;
-        for_each_in_parallel(100, [&](std::size_t) { ++done; });
-        std::_Exit(done == 100 ? 0 : 1);
-      },
-      ::testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(work_without_threads(), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
