@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <memory>
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
@@ -36,13 +37,14 @@ SceneSpec page_scene(SceneSpec spec) {
 
 }  // namespace
 
-FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked) {
-  const int last = scene.frame_count() - 1;
+FrameRange range_within(int frames, const std::optional<FrameRange>& asked) {
+  const int last = frames - 1;
   if (!asked) return {0, last};
-  if (asked->first > last)
-    throw UsageError(
-        fmt::format("--frames: there is no frame {}; the run has frames 0 to {}", asked->first, last));
-  return {asked->first, std::min(asked->last, last)};
+  const bool open = asked->last == FrameRange::open_end;
+  if (asked->first > last || (!open && asked->last > last))
+    throw UsageError(fmt::format("--frames: there is no frame {}; the run has frames 0 to {}",
+                                 asked->first > last ? asked->first : asked->last, last));
+  return {asked->first, open ? last : asked->last};
 }
 
 PngTexts picture_texts(const GlContext& context, const std::string& title) {
@@ -65,8 +67,11 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    encoding.push_back(std::async(
-        std::launch::async, [image = plots.draw(figure.plot), &texts] { return encode_png(image, texts); }));
+    const auto encode = [image = std::make_shared<const Image>(plots.draw(figure.plot)), &texts] {
+      return encode_png(*image, texts);
+    };
+    // Where no thread is to be had the picture is encoded once it is asked for.
+    encoding.push_back(std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();
   }
   while (!encoding.empty()) take_first();
@@ -103,7 +108,7 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
   SceneInput input = shown.input();
   SceneRenderer scene(context, *shown.motion(), input);
   std::vector<std::string> frames;
-  const FrameRange asked = range_within(scene, range);
+  const FrameRange asked = range_within(scene.frame_count(), range);
   stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
     write_file(folder.file(fmt::format("frames/{:04}.png", k)), png);
     frames.push_back(std::move(png));
@@ -118,7 +123,7 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
   frames.clear();
   input.spec = page_scene(input.spec);
   SceneRenderer small(context, *shown.motion(), input);
-  stream_frames(small, range_within(small, {}), texts, PngEffort::small,
+  stream_frames(small, range_within(small.frame_count(), {}), texts, PngEffort::small,
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_still = split_apng(result.page_animation, player_file).back();

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "engine/errors.h"
+#include "engine/interrupt.h"
 
 namespace plumb {
 namespace {
@@ -49,6 +50,7 @@ void write_file(const std::string& path, std::string_view bytes) {
   std::string part = path + ".part-XXXXXX";
   const int file = ::mkstemp(part.data());
   if (file < 0) fail(path, errno);
+  const Unfinished unfinished(part);
   const mode_t mask = ::umask(0);
   ::umask(mask);
   ::fchmod(file, 0666 & ~mask);

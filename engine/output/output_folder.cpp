@@ -9,8 +9,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <new>
 
 #include "engine/errors.h"
+#include "engine/interrupt.h"
 
 namespace plumb {
 namespace {
@@ -36,6 +38,19 @@ bool is_mount_point(const fs::path& path) {
   }, parent{};
   return ::stat(path.c_str(), &own) == 0 && ::stat(path.parent_path().c_str(), &parent) == 0 &&
          own.st_dev != parent.st_dev;
+}
+
+/// Removes a folder as far as it can be, and throws nothing.
+void remove_for_good(const std::string& path) {
+  constexpr int attempts = 2;  // a lack of memory may have passed
+  for (int k = 0; k < attempts; ++k) {
+    try {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+      return;
+    } catch (const std::bad_alloc&) {
+    }
+  }
 }
 
 fs::perms current_mask() {
@@ -65,14 +80,16 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)) {
     fs::permissions(working, fs::perms::all & ~current_mask());
     path_ = target.string();
     working_ = working;
+    begin_unfinished(working_);
   } catch (const fs::filesystem_error& error) {
     fail(path_, error.code().message());
   }
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  if (!committed_) fs::remove_all(working_, ignored);
+  if (committed_) return;
+  remove_for_good(working_);
+  end_unfinished(working_);
 }
 
 void OutputFolder::keep(const std::string& name) {
@@ -84,6 +101,7 @@ void OutputFolder::keep(const std::string& name) {
 }
 
 std::string OutputFolder::file(const std::string& name) const {
+  stop_if_interrupted();
   const fs::path path = fs::path(working_) / name;
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
@@ -92,12 +110,15 @@ std::string OutputFolder::file(const std::string& name) const {
 }
 
 void OutputFolder::commit() {
+  stop_if_interrupted();
+  const Undivided undivided;
+  end_unfinished(working_);
   std::error_code error;
   if (fs::exists(path_)) {
     // An exchange leaves no moment without a folder; where the file system has none, two renames do.
     if (::renameat2(AT_FDCWD, working_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0) {
       committed_ = true;
-      fs::remove_all(working_, error);
+      remove_for_good(working_);
       return;
     }
     const std::string old = working_ + ".old";
@@ -110,7 +131,7 @@ void OutputFolder::commit() {
       fail(path_, error.message());
     }
     committed_ = true;
-    fs::remove_all(old, error);
+    remove_for_good(old);
     return;
   }
   fs::rename(working_, path_, error);

@@ -10,6 +10,7 @@
 #include "engine/errors.h"
 #include "engine/output/file_writing.h"
 #include "report/program/earlier_report.h"
+#include "report/program/limits.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 #include "report/run_index.h"
@@ -89,7 +90,9 @@ ExitStatus run_many(const std::vector<std::string>& cases, const Options& option
     if (!first)
       throw UsageError(
           fmt::format("{} and {} would both be written to {}/{}", known->second, path, folder, known->first));
-    load_case(path, options.overrides);
+    const LoadedCase loaded = load_case(path, options.overrides);
+    Talk nothing(true, true);
+    check_estimate(loaded.spec, work_of_run(loaded.spec), path, folder, options, nothing);
   }
   std::vector<IndexedReport> reports;
   ExitStatus worst = ExitStatus::done;

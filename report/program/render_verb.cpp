@@ -7,6 +7,7 @@
 #include "engine/input/file_text.h"
 #include "engine/output/file_writing.h"
 #include "report/program/drawing_options.h"
+#include "report/program/limits.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/video.h"
@@ -22,7 +23,7 @@ ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, co
   if (shown.motion() == nullptr) throw OutputError("there are no frames: " + shown.notes().front());
   const GlContext context;
   SceneRenderer scene(context, *shown.motion(), shown.input());
-  const FrameRange range = range_within(scene, asked_frames(options));
+  const FrameRange range = range_within(scene.frame_count(), asked_frames(options));
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
                   write_to_standard_output(png);
@@ -44,9 +45,16 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   const std::optional<FrameRange> frames = asked_frames(options);
   Run run = find_run(options.input);
   run.loaded = with_asked_scene(run.loaded, options);
+  check_estimate(
+      run.loaded.spec,
+      {.writes_run = !to_standard_output, .draws = true, .frames = frames ? 1.0 * frames->count() : -1},
+      options.input, to_standard_output ? "." : output_path_of_run(options), options, talk);
   std::vector<OtherRun> others;
   SceneOfRun scene(run);
   add_asked(scene, run, options, others, talk);
+  // Before any work.
+  if (scene.motion() != nullptr)
+    range_within(frame_count(scene.motion()->times.back(), run.loaded.spec.scene.frame_rate), frames);
   if (to_standard_output) return stream_to_standard_output(run, scene, options, talk);
   OutputFolder folder(output_path_of_run(options));
   std::unique_ptr<Video> video;

@@ -2,6 +2,7 @@
 #include "report/program/assessment_work.h"
 #include "report/program/economy_work.h"
 #include "report/program/from_document.h"
+#include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/study_kinds.h"
 #include "report/program/study_work.h"
@@ -12,7 +13,6 @@ namespace plumb {
 
 ExitStatus report_verb(const Options& options, Talk& talk) {
   if (!options.from.empty()) {
-    if (!options.inputs.empty()) throw UsageError("--from takes the place of RUN");
     return report_from_document(options, talk);
   }
   if (options.inputs.empty()) throw UsageError("report needs a RUN, or --from results.json");
@@ -30,6 +30,8 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
     return kind.report(json->text, folder, stages, options, talk);
   }
   Run run = find_run(options.input);
+  check_estimate(run.loaded.spec, {.writes_run = true, .draws = true}, options.input,
+                 output_path_of_run(options), options, talk);
   OutputFolder folder(output_path_of_run(options));
   note_renderer(run);
   write_run(run, folder);

@@ -4,6 +4,7 @@
 #include "report/program/assessment_work.h"
 #include "report/program/earlier_report.h"
 #include "report/program/economy_work.h"
+#include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
@@ -27,6 +28,8 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   // Before any work: a baseline that is not there would be found out too late.
   std::optional<Document> baseline;
   if (!options.baseline.empty()) baseline = find_baseline(options.baseline);
+  check_estimate(loaded.spec, work_of_run(loaded.spec), loaded.source.file.name, output_path(options, loaded),
+                 options, talk);
   OutputFolder folder(output_path(options, loaded));
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
@@ -39,7 +42,7 @@ ExitStatus run_one(const Options& options, Talk& talk) {
     folder.keep("choice.json");
   }
   if (baseline) refuse_other_case(*baseline, options.baseline, Document::parse(to_json(case_json(loaded))));
-  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
+  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : solving_stage);
   Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;

@@ -1,6 +1,7 @@
 #include "engine/errors.h"
 #include "engine/study/economy_study_json.h"
 #include "report/program/economy_work.h"
+#include "report/program/limits.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -13,13 +14,17 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
   LoadedCase loaded = load(options, talk);
   refuse_without_method(loaded);
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
+  const std::string path =
+      options.output.empty() ? output_path(options, loaded) + kind.folder : options.output;
+  check_estimate(loaded.spec, {.draws = true, .study = kind.name, .frames = 0}, loaded.source.file.name, path,
+                 options, talk);
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && kind.name != economy_kind)
     loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, talk);
   if (loaded.spec.cable.model == CableModel::rigid)
     throw InputError(loaded.source.file.name +
                      ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
-  OutputFolder folder(options.output.empty() ? output_path(options, loaded) + kind.folder : options.output);
+  OutputFolder folder(path);
   return kind.study(loaded, folder, stages, options, talk);
 }
 

@@ -2,15 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <vector>
 
 #include "engine/errors.h"
+#include "engine/interrupt.h"
 
 namespace plumb {
 namespace {
@@ -55,6 +58,9 @@ Video::Video(const std::string& file, double frame_rate) : file_(file) {
   pointers.push_back(nullptr);
   child_ = ::fork();
   if (child_ == 0) {
+    // Not to finish what nobody waits for any more.
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
     ::dup2(ends[0], STDIN_FILENO);
     // Standard output may be where frames go.
     ::dup2(STDERR_FILENO, STDOUT_FILENO);
@@ -63,6 +69,7 @@ Video::Video(const std::string& file, double frame_rate) : file_(file) {
   }
   ::close(ends[0]);
   pipe_ = ends[1];
+  begin_unfinished(file_);
   if (child_ < 0) {
     close_pipe();
     throw OutputError(fmt::format("{}: {}", file, std::strerror(errno)));
@@ -70,6 +77,7 @@ Video::Video(const std::string& file, double frame_rate) : file_(file) {
 }
 
 Video::~Video() {
+  end_unfinished(file_);
   if (child_ < 0) return;
   close_pipe();
   ::waitpid(child_, nullptr, 0);
