@@ -7,6 +7,7 @@
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
 #include "engine/input/place.h"
+#include "engine/output/manifest.h"
 #include "report/file_difference.h"
 
 namespace plumb {
@@ -18,6 +19,8 @@ std::set<std::string> files_in(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder).generic_string());
+  // It says what the other files are.
+  names.erase(manifest_name);
   return names;
 }
 

@@ -40,7 +40,9 @@ Beneath find_beneath(int root, const std::string& name, bool make) {
   return {std::move(folder), name.substr(from)};
 }
 
-Descriptor open_folder(const std::string& path) { return Descriptor(::open(path.c_str(), folder_flags)); }
+Descriptor open_folder(const std::string& path) {
+  return Descriptor(::open(path.c_str(), folder_flags));
+}
 
 int flush_to_disk(int descriptor) {
   while (::fsync(descriptor) != 0) {

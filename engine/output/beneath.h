@@ -9,7 +9,8 @@ namespace plumb {
 /// An open file or folder, closed with it.
 class Descriptor {
  public:
-  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
   ~Descriptor();
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
@@ -18,10 +19,12 @@ class Descriptor {
   }
 
   int get() const { return number_; }
+  /// Leaves it open for someone else to close.
+  int release() { return std::exchange(number_, -1); }
   explicit operator bool() const { return number_ >= 0; }
 
  private:
-  int number_;
+  int number_ = -1;
 };
 
 /// Whether a name can only mean a file below a folder: "frames/0000.png"; not "/etc/passwd", "../a", "a//b",

@@ -115,6 +115,13 @@ bool is_still(int folder, const std::string& name, const ListedFile& listed) {
          sha256_of(file.get(), listed.size) == listed.sha256;
 }
 
+std::optional<std::string> bytes_of(int folder, const std::string& name, const ListedFile& listed) {
+  const auto [file, size] = open_regular(folder, name);
+  if (!file || static_cast<std::uintmax_t>(size) != listed.size) return {};
+  std::string bytes = text_of(file.get(), size);
+  return sha256(bytes) == listed.sha256 ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
 ListedFiles files_that_are_ours(int folder, const Manifest& manifest) {
   ListedFiles ours;
   for (const ListedFiles* list : {&manifest.files, &manifest.next})

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,9 @@ FoundManifest find_manifest(int folder);
 
 /// Whether a file below a folder still is what a list says. Links are not followed.
 bool is_still(int folder, const std::string& name, const ListedFile& listed);
+
+/// The bytes of such a file; nothing if it is not.
+std::optional<std::string> bytes_of(int folder, const std::string& name, const ListedFile& listed);
 
 /// The files that a manifest lists and that still are what it says.
 ListedFiles files_that_are_ours(int folder, const Manifest& manifest);

@@ -2,16 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
+#include "engine/output/beneath.h"
+#include "engine/output/file_writing.h"
 #include "engine/output/provenance.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/method_json.h"
@@ -91,14 +92,47 @@ Json heading(const std::string& identity) {
   return {{"plumb_study_journal", 1}, {"identity", identity}};
 }
 
+/// Opens the file of a journal, old or new. Whatever is not one of ours is left alone: a link, a file that
+/// has another name as well, a pipe, a file that begins like no journal.
+int open_journal(const std::string& path) {
+  Descriptor file(
+      ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_APPEND, 0666));
+  if (!file && errno == ELOOP) throw WriteError(path, "it is a link, so it is left alone");
+  struct stat status {};
+  if (!file || ::fstat(file.get(), &status) != 0) throw WriteError(path, errno);
+  if (!S_ISREG(status.st_mode) || status.st_nlink != 1)
+    throw WriteError(path, "it is no file of its own, so it is left alone");
+  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw WriteError(path, "another study is at work on it");
+  return file.release();
+}
+
+/// What a journal holds; the file is closed where it is none.
+std::string text_of(int& file, const std::string& path) {
+  std::string text;
+  char part[65536];
+  for (ssize_t count; (count = ::read(file, part, sizeof part)) != 0;) {
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int error = errno;
+      ::close(std::exchange(file, -1));
+      throw WriteError(path, error);
+    }
+    text.append(part, static_cast<std::size_t>(count));
+  }
+  constexpr std::string_view beginning = "{\"identity\":";
+  if (!text.starts_with(std::string_view(beginning).substr(0, text.size()))) {
+    ::close(std::exchange(file, -1));
+    throw WriteError(path, "it is no journal of a study, so it is left alone");
+  }
+  return text;
+}
+
 }  // namespace
 
 StudyJournal::StudyJournal(std::string path, const std::string& identity) : path_(std::move(path)) {
-  std::string text;
-  {
-    std::ifstream file(path_, std::ios::binary);
-    text.assign(std::istreambuf_iterator<char>(file), {});
-  }
+  file_ = open_journal(path_);
+  const std::string text = text_of(file_, path_);
   const std::string first = line_of(heading(identity));
   const bool same = text.starts_with(first);
   std::size_t end_of_whole = first.size();
@@ -110,11 +144,9 @@ StudyJournal::StudyJournal(std::string path, const std::string& identity) : path
       from = end_of_whole = end + 1;
     }
   }
-  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0666);
   // A line that was cut off goes, so that the next one does not run into it.
   const off_t keep = same ? static_cast<off_t>(end_of_whole) : 0;
-  if (file_ < 0 || ::ftruncate(file_, keep) != 0)
-    throw OutputError(path_ + ": cannot be written: " + std::strerror(errno));
+  if (::ftruncate(file_, keep) != 0) throw WriteError(path_, errno);
   if (!same) append(first);
 }
 
@@ -148,7 +180,7 @@ void StudyJournal::append(const std::string& line) {
   while (!rest.empty()) {
     const ssize_t written = ::write(file_, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw OutputError(path_ + ": cannot be written: " + std::strerror(errno));
+    if (written < 0) throw WriteError(path_, errno);
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
 }

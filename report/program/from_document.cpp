@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "engine/errors.h"
-#include "engine/output/file_writing.h"
+#include "engine/output/output_folder.h"
 #include "report/page.h"
 #include "report/program/work.h"
 
@@ -18,12 +18,15 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
     const Document document = read_document(options.from);
     const std::string page = to_page(document, pictures_of(document, source));
     const std::string junit = to_junit(document), summary = to_summary(document);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw OutputError(folder.string() + ": " + error.message());
-    write_file((folder / "junit.xml").string(), junit);
-    write_file((folder / "summary.md").string(), summary);
-    write_file((folder / "index.html").string(), page);
+    OutputFolder output(folder.string(), {.content = FolderContent::pages,
+                                          .sources = {options.from},
+                                          .adds = true,
+                                          .beside_others = true,
+                                          .remark = [&talk](const std::string& text) { talk.remark(text); }});
+    output.write("junit.xml", junit);
+    output.write("summary.md", summary);
+    output.write("index.html", page);
+    output.commit();
     say_report(document, folder.string(), options, talk);
     return status_of(document);
   } catch (const Document::exception& error) {

@@ -2,6 +2,7 @@
 #include "report/program/earlier_report.h"
 #include "report/program/economy_work.h"
 #include "report/program/many_reports.h"
+#include "report/program/output_use.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -22,7 +23,8 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   LoadedCase loaded = load(options, talk);
   // Before any work: a baseline that is not there would be found out too late.
   if (!options.baseline.empty()) find_document(options.baseline);
-  OutputFolder folder(output_path(options, loaded));
+  OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, talk));
+  const std::string renderer = try_drawing();
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
     stages.begin("choosing");
@@ -38,7 +40,7 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
-  note_renderer(run);
+  note_renderer(run, renderer);
   write_run(run, folder);
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.

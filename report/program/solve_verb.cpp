@@ -4,6 +4,7 @@
 #include "engine/output/file_writing.h"
 #include "report/case_json.h"
 #include "report/program/economy_work.h"
+#include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -15,7 +16,13 @@ ExitStatus solve_verb(const Options& options, Talk& talk) {
   refuse_without_method(given);
   const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, talk);
   std::optional<OutputFolder> folder;
-  if (options.csv.empty() || !options.output.empty()) folder.emplace(output_path(options, loaded));
+  FolderUse use = folder_for(given, options, talk);
+  if (options.csv.empty() || !options.output.empty()) {
+    use.content = FolderContent::run;
+    folder.emplace(output_path(options, loaded), use);
+  }
+  if (!options.csv.empty() && options.csv != "-")
+    refuse_to_overwrite("--csv", options.csv, use.reads, folder ? folder->path() : "");
   const Run run = solve(loaded, talk);
   if (folder) {
     write_run(run, *folder);
