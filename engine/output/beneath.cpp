@@ -34,8 +34,12 @@ Beneath find_beneath(int root, const std::string& name, bool make) {
   std::size_t from = 0;
   for (std::size_t end; folder && (end = name.find('/', from)) != std::string::npos; from = end + 1) {
     const std::string part = name.substr(from, end - from);
-    if (make && ::mkdirat(folder.get(), part.c_str(), 0777) != 0 && errno != EEXIST) return {};
-    folder = Descriptor(::openat(folder.get(), part.c_str(), folder_flags));
+    Descriptor below(::openat(folder.get(), part.c_str(), folder_flags));
+    if (!below && errno == ENOENT && make) {
+      if (::mkdirat(folder.get(), part.c_str(), 0777) != 0 && errno != EEXIST) return {};
+      below = Descriptor(::openat(folder.get(), part.c_str(), folder_flags));
+    }
+    folder = std::move(below);
   }
   return {std::move(folder), name.substr(from)};
 }

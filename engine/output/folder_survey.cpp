@@ -41,9 +41,10 @@ bool holds_below(const ListedFiles& files, const std::string& folder) {
   return first != files.end() && first->first.starts_with(folder + "/");
 }
 
-/// Names in an open folder below a root, `prefix` before them, that `files` does not list; folders that hold
-/// such files, and figures and frames, are looked into. A folder that holds none at all is named itself.
-void find_others(int folder, const std::string& prefix, const ListedFiles& files,
+/// Names in an open folder below a root, `prefix` before them, that are not among `files`; folders of files
+/// that are `listed`, and figures and frames, are looked into. An empty one of which nothing is listed is
+/// named itself.
+void find_others(int folder, const std::string& prefix, const ListedFiles& files, const ListedFiles& listed,
                  std::set<std::string>& others) {
   Descriptor copy(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   DIR* list = copy ? ::fdopendir(copy.get()) : nullptr;
@@ -60,17 +61,19 @@ void find_others(int folder, const std::string& prefix, const ListedFiles& files
     struct stat status {};
     const bool is_folder =
         ::fstatat(folder, last.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(status.st_mode);
-    if (is_folder && (holds_below(files, name) || belongs_to(FolderContent::results, name + "/0000.png")))
+    if (is_folder && (holds_below(listed, name) || belongs_to(FolderContent::results, name + "/0000.png")))
       folders.push_back(last);
     else
       others.insert(name);
   }
   ::closedir(list);
-  if (empty && !prefix.empty()) others.insert(prefix.substr(0, prefix.size() - 1));
+  const std::string name = prefix.substr(0, prefix.empty() ? 0 : prefix.size() - 1);
+  if (empty && !prefix.empty() && !holds_below(listed, name) && prefix != figures && prefix != frames)
+    others.insert(name);
   for (const std::string& last : folders) {
     const Descriptor below(::openat(folder, last.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
     if (!below) throw std::system_error(errno, std::generic_category());
-    find_others(below.get(), prefix + last + "/", files, others);
+    find_others(below.get(), prefix + last + "/", files, listed, others);
   }
 }
 
@@ -101,7 +104,7 @@ FolderSurvey look_into(Descriptor folder, FolderContent content) {
   if (content != FolderContent::copies)
     std::erase_if(survey.ours,
                   [](const auto& file) { return !belongs_to(FolderContent::results, file.first); });
-  find_others(survey.folder.get(), "", survey.ours, survey.others);
+  find_others(survey.folder.get(), "", survey.ours, survey.manifest.manifest.all(), survey.others);
   if (survey.manifest.there && survey.manifest.fault.empty()) survey.others.erase(manifest_name);
   return survey;
 }

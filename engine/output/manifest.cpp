@@ -9,6 +9,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "engine/output/beneath.h"
 #include "engine/output/sha256.h"
@@ -51,15 +52,24 @@ ListedFiles list_of(const Json& list) {
   return files;
 }
 
+/// After a file could not be opened: that there is no such file is told from not knowing.
+std::pair<Descriptor, off_t> none_there() {
+  if (errno != ENOENT && errno != ENOTDIR && errno != ELOOP && errno != EACCES && errno != ENXIO)
+    throw std::system_error(errno, std::generic_category());
+  return {};
+}
+
 /// Opens a regular file below a folder and finds its size; closed where there is none.
 std::pair<Descriptor, off_t> open_regular(int folder, const std::string& name) {
   const Beneath place = find_beneath(folder, name);
-  if (!place.folder) return {};
+  if (!place.folder) return none_there();
   // Whoever has put a pipe there is not waited for.
   Descriptor file(
       ::openat(place.folder.get(), place.name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file) return none_there();
   struct stat status {};
-  if (!file || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  if (::fstat(file.get(), &status) != 0) throw std::system_error(errno, std::generic_category());
+  if (!S_ISREG(status.st_mode)) return {};
   return {std::move(file), status.st_size};
 }
 
@@ -69,7 +79,7 @@ std::string text_of(int file, off_t size) {
   while (done < text.size()) {
     const ssize_t count = ::read(file, text.data() + done, text.size() - done);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) throw std::runtime_error("it cannot be read");
+    if (count <= 0) throw std::runtime_error("it cannot be read to its end");
     done += static_cast<std::size_t>(count);
   }
   return text;
@@ -87,6 +97,12 @@ Manifest manifest_of(const std::string& text) {
 
 }  // namespace
 
+ListedFiles Manifest::all() const {
+  ListedFiles both = files;
+  both.insert(next.begin(), next.end());
+  return both;
+}
+
 std::string encode_manifest(const Manifest& manifest) {
   Json json{{version_key, version}, {"files", list_json(manifest.files)}};
   if (!manifest.next.empty()) json["next"] = list_json(manifest.next);
@@ -103,6 +119,8 @@ FoundManifest find_manifest(int folder) {
     if (!file) throw std::runtime_error("it is no regular file, or cannot be read");
     if (size > longest) throw std::runtime_error("it is too long");
     found.manifest = manifest_of(text_of(file.get(), size));
+  } catch (const std::system_error&) {
+    throw;
   } catch (const std::runtime_error& error) {
     found.fault = error.what();
   }

@@ -29,6 +29,9 @@ struct Manifest {
   /// What files are about to become, where they are being put in place one after another: until that is done
   /// each may be either.
   ListedFiles next = {};
+
+  /// All names, there or to be.
+  ListedFiles all() const;
 };
 
 /// Its JSON: `plumb_manifest` (the version, 1), `files[]` with `name`, `size`, `sha256`, and `next[]` where
@@ -46,7 +49,8 @@ struct FoundManifest {
 /// encode_manifest() writes, a name that leads out of the folder or comes twice makes all of it void.
 FoundManifest find_manifest(int folder);
 
-/// Whether a file below a folder still is what a list says. Links are not followed.
+/// Whether a file below a folder still is what a list says. Links are not followed. Throws std::system_error
+/// where that cannot be found out.
 bool is_still(int folder, const std::string& name, const ListedFile& listed);
 
 /// The bytes of such a file; nothing if it is not.

@@ -153,6 +153,8 @@ void OutputFolder::refuse_taken_names(const FolderSurvey& survey) {
     const auto& [name, listed] = *file;
     struct stat status {};
     const Beneath place = find_beneath(survey.folder.get(), name);
+    if (!place.folder && errno != ENOENT && errno != ENOTDIR && errno != ELOOP)
+      throw std::system_error(errno, std::generic_category());
     const bool there =
         place.folder ? ::fstatat(place.folder.get(), place.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0
                      : errno != ENOENT;
@@ -219,6 +221,7 @@ void OutputFolder::commit() {
       if (use_.adds) files.kept = survey.ours;
       for (const auto& [name, listed] : written_) files.kept.erase(name);
       files.ours = survey.ours;
+      files.listed = survey.manifest.manifest.all();
       put_one_by_one(files);
     }
   } catch (const std::system_error& error) {

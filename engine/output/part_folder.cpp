@@ -162,7 +162,11 @@ void PartFolder::unmark() {
 bool clear_leftover(const std::string& path, const std::function<bool(std::string_view)>& is_ours) {
   const Descriptor folder = open_folder(path);
   if (!folder || ::flock(folder.get(), LOCK_EX | LOCK_NB) != 0) return false;
-  empty_leftover(folder.get(), is_ours);
+  try {
+    empty_leftover(folder.get(), is_ours);
+  } catch (const std::system_error&) {
+    return false;  // the next one may have more luck
+  }
   return ::rmdir(path.c_str()) == 0;
 }
 

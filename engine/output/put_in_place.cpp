@@ -114,7 +114,8 @@ class Moves {
   bool undo() {
     bool all = true;
     for (auto step = done_.rbegin(); step != done_.rend(); ++step) {
-      const Beneath part = find_beneath(part_, step->part), folder = find_beneath(folder_, step->folder);
+      const Beneath part = find_beneath(part_, step->part),
+                    folder = find_beneath(folder_, step->folder, true);
       const bool out = step->kind == Kind::put;
       const Beneath &from = out ? folder : part, &to = out ? part : folder;
       all = ::renameat2(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str(),
@@ -253,9 +254,7 @@ void put_one_by_one(const PlacedFiles& files) {
   } catch (const std::system_error& error) {
     stop("", error.code().message());
   }
-  ListedFiles gone = files.ours;
-  for (const auto& [name, file] : next) gone.erase(name);
-  remove_empty_folders(folder.get(), gone);
+  remove_empty_folders(folder.get(), files.listed);
 }
 
 }  // namespace plumb

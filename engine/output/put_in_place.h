@@ -11,10 +11,11 @@ namespace plumb {
 /// Files that are whole in a temporary folder, and the folder where they are to be.
 struct PlacedFiles {
   PartFolder& part;
-  std::string path;     ///< of the folder
-  ListedFiles written;  ///< what `part` holds
-  ListedFiles ours{};   ///< what is ours in the folder now
-  ListedFiles kept{};   ///< what of that stays
+  std::string path;      ///< of the folder
+  ListedFiles written;   ///< what `part` holds
+  ListedFiles ours{};    ///< what is ours in the folder now
+  ListedFiles kept{};    ///< what of that stays
+  ListedFiles listed{};  ///< what the folder's manifest lists, there or not
 };
 
 /// Writes manifest.json into an open folder. Throws std::system_error.

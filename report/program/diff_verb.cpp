@@ -6,6 +6,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
+#include "engine/input/place.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/output_folder.h"
 #include "report/difference_page.h"
@@ -35,10 +36,14 @@ void accept(const fs::path& a, const fs::path& b, Talk& talk) {
   }
   OutputFolder folder(a.string(), {.content = FolderContent::copies,
                                    .remark = [&talk](const std::string& text) { talk.remark(text); }});
-  for (const auto& entry : fs::recursive_directory_iterator(b))
-    if (entry.is_regular_file() && entry.path() != b / manifest_name)
-      folder.write(entry.path().lexically_relative(b).generic_string(),
-                   read_whole_file(entry.path().string()));
+  try {
+    for (const auto& entry : fs::recursive_directory_iterator(b))
+      if (entry.is_regular_file() && entry.path() != b / manifest_name)
+        folder.write(entry.path().lexically_relative(b).generic_string(),
+                     read_whole_file(entry.path().string()));
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(one_line(error.what()));
+  }
   folder.commit();
 }
 

@@ -61,10 +61,12 @@ class FaultPlan : public ::testing::Test {
         write_text(below_ / name, bytes);
   }
 
-  /// Tries all calls, or each `step`-th, and returns how many there were. What differs between runs (run.h5
+  static constexpr int few = 7;
+
+  /// Tries each `step`-th call, or all with PLUMB_FAULTS=all, and returns how many. What differs between runs (run.h5
   /// says when it was made) is compared by the folder's own manifest.
   int try_all(const std::vector<std::string>& arguments, const Files& before, const Plan& plan,
-              int step = 1) {
+              int step = few) {
     start_from(before);
     const Ended good = plumb_in(folder_.path(), arguments);
     EXPECT_EQ(good.status, 0) << good.err;
@@ -79,7 +81,7 @@ class FaultPlan : public ::testing::Test {
       const std::string call = read_text(folder_ / "fault.txt");
       if (call.empty()) {
         EXPECT_EQ(ended.status, 0) << ended.err;
-        EXPECT_GT(tried, 10 / step) << "the plan never came to a call";
+        EXPECT_GT(tried, 0) << "the plan never came to a call";
         return tried;
       }
       ++tried;
@@ -92,7 +94,13 @@ class FaultPlan : public ::testing::Test {
     }
   }
 
-  fs::path below_{(folder_ / "below").string()};
+  /// In memory where that can be, as each try waits for the disk.
+  static fs::path quick_disk() {
+    return ::access("/dev/shm", W_OK) == 0 ? fs::path("/dev/shm") : fs::temp_directory_path();
+  }
+
+  TemporaryFolder folder_{quick_disk()};
+  const fs::path below_ = folder_ / "below";
 
  private:
   static bool same(const Files& a, const Files& b) {
@@ -105,7 +113,7 @@ class FaultPlan : public ::testing::Test {
   /// Everything that is listed is what the list says, and nothing else has a name of ours.
   void expect_sound(const Files& files) {
     for (const auto& [name, bytes] : files) {
-      if (!name.ends_with("manifest.json")) continue;
+      if (!name.ends_with("manifest.json") || name.find(".part-") != std::string::npos) continue;
       const fs::path folder = (below_ / name).parent_path();
       const FolderSurvey survey = look_into(folder.string(), FolderContent::copies);
       EXPECT_EQ(survey.manifest.fault, "");
@@ -118,7 +126,8 @@ class FaultPlan : public ::testing::Test {
     const Files now = files_below(below_);
     expect_sound(now);
     if (ended.status == 0) {
-      EXPECT_TRUE(same(without_leftovers(now), after)) << names(now);
+      EXPECT_TRUE(same(without_empty_folders(without_leftovers(now)), without_empty_folders(after)))
+          << names(now);
       return;
     }
     EXPECT_EQ(ended.status, 5) << ended.err;
@@ -140,18 +149,20 @@ class FaultPlan : public ::testing::Test {
     EXPECT_EQ(next.status, 0) << next.err;
     const Files now = files_below(below_);
     expect_sound(now);
-    EXPECT_TRUE(same(now, after)) << names(now) << "\nafter:" << names(after);
+    EXPECT_TRUE(same(without_empty_folders(now), without_empty_folders(after)))
+        << names(now) << "\nafter:" << names(after);
+  }
+
+  /// A folder that is empty but for the killing of a program loses nothing.
+  static Files without_empty_folders(Files files) {
+    std::erase_if(files, [](const auto& file) { return file.second == "(folder)"; });
+    return files;
   }
 
   static Files without_leftovers(Files files) {
     std::erase_if(files, [](const auto& file) { return file.first.find(".part-") != std::string::npos; });
     return files;
   }
-
-  TemporaryFolder folder_;
-
- public:
-  FaultPlan() = default;
 };
 
 /// A comparison of two folders that makes the second the baseline.
@@ -159,21 +170,23 @@ class AcceptedBaseline : public FaultPlan {
  protected:
   /// Puts the first baseline in place as the program does, with more files beside.
   Files baseline(const Files& beside) {
-    start_from(
-        {{"b/x.csv", "t,x\n0,1\n"}, {"b/frames/0000.csv", "t,x\n0,3\n"}, {"b/gone/y.csv", "t,x\n0,5\n"}});
-    const Ended made = plumb_in(below_.parent_path(), {"diff", "below/a", "below/b", "--accept"});
+    start_from({});
+    write_text(folder_ / "b/x.csv", "t,x\n0,1\n");
+    write_text(folder_ / "b/frames/0000.csv", "t,x\n0,3\n");
+    write_text(folder_ / "b/gone/y.csv", "t,x\n0,5\n");
+    const Ended made = plumb_in(folder_.path(), accept_);
     EXPECT_EQ(made.status, 0) << made.err;
     for (const auto& [name, bytes] : beside) write_text(below_ / name, bytes);
-    fs::remove_all(below_ / "b/gone");
-    write_text(below_ / "b/x.csv", "t,x\n0,2\n");
-    write_text(below_ / "b/new/z.csv", "t,x\n0,7\n");
+    fs::remove_all(folder_ / "b/gone");
+    write_text(folder_ / "b/x.csv", "t,x\n0,2\n");
+    write_text(folder_ / "b/new/z.csv", "t,x\n0,7\n");
     return files_below(below_);
   }
-  const std::vector<std::string> accept_{"diff", "below/a", "below/b", "--accept", "--quiet"};
+  const std::vector<std::string> accept_{"diff", "below/a", "b", "--accept", "--quiet"};
 };
 
 TEST_F(AcceptedBaseline, IsOldOrNewWhicheverCallFails) {
-  EXPECT_GT(try_all(accept_, baseline({}), {.error = EIO}), 30);
+  EXPECT_GT(try_all(accept_, baseline({}), {.error = EIO}), 150 / few);
 }
 
 TEST_F(AcceptedBaseline, IsOldOrNewOnADiskThatIsFullFromAnyCallOn) {
@@ -204,25 +217,25 @@ class SolvedCase : public FaultPlan {
     start_from({});
     const std::vector<std::string> earlier{
         "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.01"};
-    EXPECT_EQ(plumb_in(below_.parent_path(), earlier).status, 0);
+    EXPECT_EQ(plumb_in(folder_.path(), earlier).status, 0);
     for (const auto& [name, bytes] : beside) write_text(below_ / name, bytes);
     return files_below(below_);
   }
   const std::vector<std::string> solve_{
       "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.02"};
-  static constexpr int step_ = 3;
+  static constexpr int fewer = 11;
 };
 
 TEST_F(SolvedCase, IsOldOrNewWhicheverCallFails) {
-  try_all(solve_, solved({}), {.error = EIO}, step_);
+  try_all(solve_, solved({}), {.error = EIO}, fewer);
 }
 
 TEST_F(SolvedCase, BesideFilesOfOthersIsOldOrNewWhicheverCallFails) {
-  try_all(solve_, solved({{"a/notes/day.txt", "sunny"}}), {.error = EIO}, step_);
+  try_all(solve_, solved({{"a/notes/day.txt", "sunny"}}), {.error = EIO}, fewer);
 }
 
 TEST_F(SolvedCase, IsMadeWholeByTheNextCommandWhereverOneIsKilled) {
-  try_all(solve_, solved({}), {.error = 0}, 2 * step_);
+  try_all(solve_, solved({}), {.error = 0}, fewer);
 }
 
 TEST_F(SolvedCase, AsOneFileIsOldOrNewWhicheverCallFailsAndWhereverOneIsKilled) {
