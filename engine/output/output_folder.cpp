@@ -176,6 +176,10 @@ void OutputFolder::fail(const std::string& name, int error) const {
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
   if (!is_name_beneath(name) || !belongs_to(use_.content, name))
     throw std::logic_error(name + " is no file of an output folder");
+  put(name, bytes);
+}
+
+void OutputFolder::put(const std::string& name, std::string_view bytes) {
   const Beneath place = find_beneath(part_->descriptor(), name, true);
   const int file = place.folder ? ::openat(place.folder.get(), place.name.c_str(),
                                            O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)
@@ -201,7 +205,7 @@ void OutputFolder::keep(const std::string& name) {
   const auto file = ours_.find(name);
   const Descriptor folder = open_folder(path_);
   if (file == ours_.end() || !folder) return;
-  if (const auto bytes = bytes_of(folder.get(), name, file->second)) write(name, *bytes);
+  if (const auto bytes = bytes_of(folder.get(), name, file->second)) put(name, *bytes);
 }
 
 void OutputFolder::commit() {

@@ -73,6 +73,7 @@ class OutputFolder {
  private:
   OutputFolder(const std::string& path, FolderUse use, bool only_checks);
 
+  void put(const std::string& name, std::string_view bytes);
   FolderSurvey look() const;
   bool is_source(const std::string& name) const;
   void refuse_conflicts(const FolderSurvey& survey) const;

@@ -1,5 +1,10 @@
 #include <sys/stat.h>
 
+#include <cstdlib>
+#include <map>
+
+#include "engine/errors.h"
+#include "report/program/video.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -66,19 +71,19 @@ TEST_F(KeptFiles, OfAnOutputFolderStay) {
   fs::copy(folder_ / "references", folder_ / "out/references");
   write_text(folder_ / "out/.git/HEAD", "ref: refs/heads/main");
   const Ended ended =
-      plumb_below("out", {"solve", "case.toml", "-o", ".", "--quiet", "--set", "time.end=0.03"});
+      plumb_below("out", {"solve", "case.toml", "-o", ".", "--quiet", "--set", "time.end=0.04"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(read_text(folder_ / "out/case.toml"), read_text(folder_ / "case.toml"));
   EXPECT_EQ(read_text(folder_ / "out/.git/HEAD"), "ref: refs/heads/main");
-  EXPECT_NE(read_text(folder_ / "out/probes.csv").find("\n0.03"), std::string::npos);
+  EXPECT_NE(read_text(folder_ / "out/probes.csv").find("\n0.04"), std::string::npos);
 }
 
 TEST_F(KeptFiles, ThatWereChangedAreRefusedBeforeAnyWork) {
   solve("out");
   write_text(folder_ / "out/probes.csv", "my own remarks");
   // It would take minutes to solve.
-  expect_refused({"run", "case.toml", "-o", "out", "--set", "method.name=rk4", "--set", "method.step=1e-8"},
-                 5, "out/probes.csv: cannot be written: it was changed");
+  expect_refused({"run", "case.toml", "-o", "out", "--set", "time.end=200"}, 5,
+                 "out/probes.csv: cannot be written: it was changed");
 }
 
 TEST_F(KeptFiles, AreThoseThatAreRead) {
@@ -107,7 +112,7 @@ TEST_F(KeptFiles, SurviveTheAcceptingOfABaseline) {
   fs::create_hard_link(folder_ / "a/probes.csv", folder_ / "same.csv");
   expect_refused({"diff", "a/probes.csv", "same.csv", "--accept"}, 2, "are one");
   fs::remove(folder_ / "same.csv");
-  ASSERT_EQ(solve_into("b", "0.03").status, 0);
+  ASSERT_EQ(solve_into("b", "0.04").status, 0);
   const Ended ended = plumb({"diff", "a", "b", "--accept"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(read_text(folder_ / "a/probes.csv"), read_text(folder_ / "b/probes.csv"));
@@ -115,13 +120,10 @@ TEST_F(KeptFiles, SurviveTheAcceptingOfABaseline) {
 }
 
 TEST_F(KeptFiles, AreThePagesThatAnIndexWouldOverwrite) {
-  const std::vector<std::string> quick{"--quiet", "--set", "time.end=0.02", "--set", "scene.size=[16,16]"};
-  for (const char* name : {"a", "b"}) {
-    std::vector<std::string> run{"run", "case.toml", "-o", name};
-    run.insert(run.end(), quick.begin(), quick.end());
-    const Ended ended = plumb(run);
-    ASSERT_EQ(ended.status, 1) << ended.err;
-  }
+  const Ended run = plumb({"run", "case.toml", "-o", "a", "--quiet", "--set", "time.end=0.04", "--set",
+                           "scene.size=[16,16]", "--set", "scene.frame_rate=50"});
+  ASSERT_EQ(run.status, 1) << run.err;
+  fs::copy(folder_ / "a", folder_ / "b", fs::copy_options::recursive);
   for (const char* name : {"index.html", "junit.xml", "summary.md", "results.json"}) {
     write_text(folder_ / "site" / name, "mine");
     expect_refused({"report", "a", "b", "-o", "site"}, 5,
@@ -130,7 +132,7 @@ TEST_F(KeptFiles, AreThePagesThatAnIndexWouldOverwrite) {
   }
   write_text(folder_ / "site/about.html", "mine");
   EXPECT_EQ(plumb({"report", "a", "b", "-o", "site"}).status, 1);
-  EXPECT_EQ(plumb({"report", "a", "b", "-o", "site"}).status, 1);
+  EXPECT_TRUE(fs::exists(folder_ / "site/manifest.json"));
   EXPECT_EQ(read_text(folder_ / "site/about.html"), "mine");
   expect_refused({"report", "a", "b", "-o", "a"}, 2, "a/results.json: is read");
 
@@ -144,37 +146,44 @@ TEST_F(KeptFiles, AreThePagesThatAnIndexWouldOverwrite) {
   EXPECT_EQ(read_text(folder_ / "a/frames/note.txt"), "mine");
 }
 
+/// Puts a script in the place of ffmpeg; its last argument is the file to write.
 class KeptVideo : public KeptFiles {
  protected:
-  /// Stands in for ffmpeg: the last argument is the file to write.
-  Ended render_with(const std::string& script) {
+  KeptVideo() {
+    if (const char* path = std::getenv("PATH")) path_ = path;
+    ::setenv("PATH", ((folder_ / "bin").string() + ":" + path_).c_str(), 1);
+    write_text(folder_ / "clip.mp4", "the earlier one");
+  }
+  ~KeptVideo() override { ::setenv("PATH", path_.c_str(), 1); }
+
+  /// Makes a video of two frames and returns what went wrong.
+  std::string made_by(const std::string& script) {
     write_text(folder_ / "bin/ffmpeg", "#!/bin/sh\nfor last; do :; done\n" + script);
     ::chmod((folder_ / "bin/ffmpeg").c_str(), 0755);
-    const char* path = std::getenv("PATH");
-    return run_command(
-        {"env", "PATH=" + (folder_ / "bin").string() + ":" + (path != nullptr ? path : ""), PLUMB_PROGRAM,
-         "render", "out", "--size", "16x16", "--frames", "0", "--video", "clip.mp4"},
-        folder_.path());
+    try {
+      Video video((folder_ / "clip.mp4").string(), 25);
+      video.add("one");
+      video.add("two");
+      video.finish();
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+    return "";
   }
+
+  std::string path_;
 };
 
 TEST_F(KeptVideo, IsReplacedOnlyByOneThatIsWhole) {
-  solve("out");
-  write_text(folder_ / "clip.mp4", "the earlier one");
-  const Ended failed = render_with(
-      "cat >/dev/null; echo half >\"$last\"; echo some words >&2; echo \"$last: no room\" >&2; exit 1\n");
-  EXPECT_EQ(failed.status, 5) << failed.err;
-  expect_one_line(failed.err);
-  EXPECT_NE(failed.err.find("clip.mp4: cannot be written: ffmpeg failed: clip.mp4: no room"),
-            std::string::npos)
-      << failed.err;
+  const std::string failure =
+      made_by("cat >/dev/null; echo half >\"$last\"; echo words >&2; echo \"$last: no room\" >&2; exit 1\n");
+  EXPECT_NE(failure.find("clip.mp4: cannot be written: ffmpeg failed: clip.mp4: no room"), std::string::npos)
+      << failure;
   EXPECT_EQ(read_text(folder_ / "clip.mp4"), "the earlier one");
-  const Ended early = render_with("exec <&-; exit 1\n");
-  EXPECT_EQ(early.status, 5) << early.err;
+  EXPECT_NE(made_by("cat >/dev/null\n").find("made no file"), std::string::npos);
   EXPECT_EQ(read_text(folder_ / "clip.mp4"), "the earlier one");
-  const Ended good = render_with("cat >/dev/null; echo whole >\"$last\"\n");
-  EXPECT_EQ(good.status, 0) << good.err;
-  EXPECT_EQ(read_text(folder_ / "clip.mp4"), "whole\n");
+  EXPECT_EQ(made_by("cat >\"$last\"\n"), "");
+  EXPECT_EQ(read_text(folder_ / "clip.mp4"), "onetwo");
   for (const auto& entry : fs::directory_iterator(folder_.path()))
     EXPECT_EQ(entry.path().string().find(".part-"), std::string::npos) << entry.path();
 }
@@ -210,7 +219,8 @@ TEST_F(KeptFiles, AreRunAndNumbersWhereThePicturesFail) {
   EXPECT_EQ(before.status, 5) << before.err;
   expect_one_line(before.err);
   EXPECT_FALSE(fs::exists(folder_ / "out")) << "nothing is solved that cannot be drawn";
-  for (int at = 2; at < 12; ++at) {
+  for (int at = 5; at < 12; ++at) {
+    fs::remove_all(folder_ / "out");
     const Ended ended = with_fault(at);
     if (ended.status != 5 || !fs::exists(folder_ / "out")) continue;
     expect_one_line(ended.err);
@@ -226,9 +236,9 @@ TEST_F(KeptFiles, AreRunAndNumbersWhereThePicturesFail) {
 }
 
 TEST_F(KeptFiles, ARendererThatIsNotThereIsFoundOutBeforeSolving) {
-  const Ended ended = run_command({"env", "PLUMB_GL=egl:99", PLUMB_PROGRAM, "run", "case.toml", "-o", "out",
-                                   "--set", "method.name=rk4", "--set", "method.step=1e-8"},
-                                  folder_.path());
+  const Ended ended = run_command(
+      {"env", "PLUMB_GL=egl:99", PLUMB_PROGRAM, "run", "case.toml", "-o", "out", "--set", "time.end=200"},
+      folder_.path());
   EXPECT_EQ(ended.status, 5) << ended.err;
   expect_one_line(ended.err);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 4)

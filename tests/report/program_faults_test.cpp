@@ -138,7 +138,7 @@ TEST(ProgramFaults, OutputThatCannotBeWrittenIsNoSuccess) {
   for (const std::string& arguments :
        {"check " + good + " --json", "check " + good, "solve " + good + " --quiet --csv -",
         "solve " + good + " --quiet --json --set time.end=0.02", std::string("doctor --json"),
-        std::string("--help"), std::string("--version"), "diff --json stdout stdout"}) {
+        std::string("--help"), std::string("--version"), std::string("diff --json stdout stdout")}) {
     const Ended ended = run_command({"sh", "-c", plumb + arguments + " >/dev/full"}, folder.path());
     EXPECT_EQ(ended.status, 5) << arguments;
     EXPECT_NE(ended.err.find("standard output: cannot be written"), std::string::npos) << ended.err;
