@@ -9,6 +9,7 @@
 #include "engine/input/file_text.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/output/manifest.h"
 #include "report/file_difference.h"
 
 namespace plumb {
@@ -32,6 +33,8 @@ std::map<std::string, bool> entries_of(const fs::path& folder) {
     entries[entry->path().lexically_relative(folder).generic_string()] = entry->is_regular_file(unknown);
   }
   if (error) refuse(folder, "cannot be read: " + error.message());
+  // It says what the other files are.
+  entries.erase(manifest_name);
   return entries;
 }
 

@@ -9,7 +9,6 @@
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
-#include "engine/output/file_writing.h"
 #include "render/apng.h"
 #include "render/frame_stream.h"
 #include "render/gl_context.h"
@@ -82,8 +81,8 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
                                   const PngTexts& texts, OutputFolder& folder) {
   std::vector<Picture> pictures = drawn_figures(figures, context, texts);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    write_file(folder.file(pictures[i].file), pictures[i].png);
-    write_file(folder.file(fmt::format("figures/{}.csv", figures[i].name)), to_csv(figures[i].plot));
+    folder.write(pictures[i].file, pictures[i].png);
+    folder.write(fmt::format("figures/{}.csv", figures[i].name), to_csv(figures[i].plot));
   }
   return pictures;
 }
@@ -110,7 +109,7 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
   std::vector<std::string> frames;
   const FrameRange asked = range_within(scene.frame_count(), range);
   stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
-    write_file(folder.file(fmt::format("frames/{:04}.png", k)), png);
+    folder.write(fmt::format("frames/{:04}.png", k), png);
     frames.push_back(std::move(png));
     if (progress) progress(static_cast<double>(k + 1 - asked.first) / asked.count());
   });
@@ -119,7 +118,7 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
   result.frame_rate = input.spec.frame_rate;
 
   stages.begin("animation");
-  write_file(folder.file("animation.png"), join_apng(frames, input.spec.frame_rate));
+  folder.write("animation.png", join_apng(frames, input.spec.frame_rate));
   frames.clear();
   input.spec = page_scene(input.spec);
   SceneRenderer small(context, *shown.motion(), input);
@@ -127,7 +126,7 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_still = split_apng(result.page_animation, player_file).back();
-  write_file(folder.file(player_file), result.page_animation);
+  folder.write(player_file, result.page_animation);
   result.player_frame_rate = input.spec.frame_rate;
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];

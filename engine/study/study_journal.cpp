@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -13,6 +14,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
+#include "engine/output/file_writing.h"
 #include "engine/output/provenance.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/method_json.h"
@@ -119,7 +121,7 @@ StudyJournal::StudyJournal(std::string path, const std::string& identity)
     : path_(std::move(path)), identity_(identity) {
   // A link is not followed: what it leads to is not ours to write. Nor is a pipe waited for.
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_APPEND | O_NOFOLLOW | O_NONBLOCK, 0666);
-  if (file_ < 0) fail(errno == ELOOP ? "it is a link" : std::strerror(errno));
+  if (file_ < 0) fail(errno == ELOOP ? "it is a link, so it is left alone" : std::strerror(errno));
   try {
     go_on();
   } catch (...) {
@@ -132,6 +134,7 @@ void StudyJournal::go_on() {
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) fail("it is no file");
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) fail("another study is at work on it");
   const std::string text = read(status.st_size);
   if (!is_ours(text)) fail("it is there and is no journal of a study");
   const std::string first = heading(identity_);
@@ -163,7 +166,7 @@ std::string StudyJournal::read(long size) const {
 }
 
 void StudyJournal::fail(const std::string& why) const {
-  throw OutputError(path_ + ": cannot be written: " + why);
+  throw WriteError(path_, why);
 }
 
 StudyJournal::~StudyJournal() {

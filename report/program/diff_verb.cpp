@@ -9,6 +9,7 @@
 #include "engine/output/file_writing.h"
 #include "engine/output/output_folder.h"
 #include "report/difference_page.h"
+#include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 
@@ -17,18 +18,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The paths lead to one file or folder, or to one that lies in the other.
+bool overlap(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  if (fs::equivalent(a, b, ignored)) return true;
+  const fs::path one = fs::weakly_canonical(fs::absolute(a)), other = fs::weakly_canonical(fs::absolute(b));
+  const auto [end, end_of_other] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+  return end == one.end() || end_of_other == other.end();
+}
+
 /// Puts B in the place of A; B stays.
-void accept(const fs::path& a, const fs::path& b) {
+void accept(const fs::path& a, const fs::path& b, Talk& talk) {
   if (!fs::is_directory(b)) {
     write_file(a.string(), read_whole_file(b.string()));
     return;
   }
-  OutputFolder folder(a.string());
-  for (const auto& entry : fs::recursive_directory_iterator(b))
-    if (entry.is_regular_file())
-      write_file(folder.file(entry.path().lexically_relative(b).generic_string()),
-                 read_whole_file(entry.path().string()));
+  OutputFolder folder(a.string(), {.content = FolderContent::copies,
+                                   .remark = [&talk](const std::string& text) { talk.remark(text); }});
+  try {
+    for (const auto& entry : fs::recursive_directory_iterator(b))
+      if (entry.is_regular_file() && entry.path() != b / manifest_name)
+        folder.write(entry.path().lexically_relative(b).generic_string(),
+                     read_whole_file(entry.path().string()));
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(one_line(error.what()));
+  }
   folder.commit();
+}
+
+/// All files that a comparison may read.
+std::vector<std::string> files_of_both(const std::string& a, const std::string& b) {
+  std::vector<std::string> files;
+  for (const std::string& path : {a, b}) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) files.push_back(path);
+    for (fs::recursive_directory_iterator entry(path, error), end; !error && entry != end;
+         entry.increment(error))
+      files.push_back(entry->path().string());
+  }
+  return files;
 }
 
 nlohmann::ordered_json to_json(const std::vector<FileDifference>& files, bool accepted) {
@@ -73,6 +101,11 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
     throw UsageError("--accept would put one in the place of the other: " + overlapping);
   check_page(options);
   std::error_code ignored;
+  if (options.accept && overlap(options.input, options.other))
+    throw UsageError(
+        fmt::format("--accept: {} and {} are one, or one lies in the other", options.input, options.other));
+  if (!options.html.empty())
+    refuse_to_overwrite("--html", options.html, files_of_both(options.input, options.other));
   const bool first_there = fs::exists(options.input, ignored) || !options.accept;
   std::vector<FileDifference> files;
   if (first_there) files = compare_paths(options.input, options.other, how);
@@ -86,7 +119,7 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
   }
   const bool accepts = options.accept && (different || !first_there);
   if (accepts) {
-    accept(options.input, options.other);
+    accept(options.input, options.other, talk);
     talk.line(fmt::format("accepted: {} is now what {} is", options.input, options.other));
   } else if (options.accept) {
     talk.line("nothing to accept");

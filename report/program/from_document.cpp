@@ -4,7 +4,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
-#include "engine/output/file_writing.h"
+#include "engine/output/output_folder.h"
 #include "report/page.h"
 #include "report/program/work.h"
 
@@ -48,12 +48,15 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
   const std::string source = fs::absolute(options.from).parent_path().string();
   const fs::path folder = options.output.empty() ? source : options.output;
   const Remade made = remake(options.from, source);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder.string() + ": " + error.message());
-  write_file((folder / "junit.xml").string(), made.junit);
-  write_file((folder / "summary.md").string(), made.summary);
-  write_file((folder / "index.html").string(), made.page);
+  OutputFolder output(folder.string(), {.content = FolderContent::pages,
+                                        .sources = {options.from},
+                                        .adds = true,
+                                        .beside_others = true,
+                                        .remark = [&talk](const std::string& text) { talk.remark(text); }});
+  output.write("junit.xml", made.junit);
+  output.write("summary.md", made.summary);
+  output.write("index.html", made.page);
+  output.commit();
   say_report(made.document, folder.string(), options, talk);
   return made.status;
 }

@@ -16,6 +16,7 @@
 #include "engine/input/nearest.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/output/file_writing.h"
 #include "render/environment.h"
 #include "report/program/limits.h"
 #include "report/program/study_kinds.h"
@@ -275,7 +276,10 @@ int parse_and_act(int count, const char* const* arguments) {
 int program(int count, const char* const* arguments) {
   try {
     catch_interrupts();
-    return parse_and_act(count, arguments);
+    const int status = parse_and_act(count, arguments);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw WriteError("standard output", "not all that was said got there");
+    return status;
   } catch (const UsageError& error) {
     return fail(error.what(), ExitStatus::wrong_usage);
   } catch (const InputError& error) {

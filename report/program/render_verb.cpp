@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/errors.h"
-#include "engine/input/file_text.h"
 #include "engine/output/file_writing.h"
 #include "report/program/drawing_options.h"
 #include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/video.h"
@@ -56,11 +56,18 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   if (scene.motion() != nullptr)
     range_within(frame_count(scene.motion()->times.back(), run.loaded.spec.scene.frame_rate), frames);
   if (to_standard_output) return stream_to_standard_output(run, scene, options, talk);
-  OutputFolder folder(output_path_of_run(options));
+  FolderUse use = folder_from(options.input, talk);
+  use.content = FolderContent::pictures;
+  for (const std::vector<std::string>* paths : {&options.over, &options.beside})
+    for (const std::string& path : *paths) use.reads.push_back(file_in(path, "run.h5"));
+  OutputFolder folder(output_path_of_run(options), use);
   std::unique_ptr<Video> video;
-  if (!options.video.empty())
+  if (!options.video.empty()) {
+    use.reads.insert(use.reads.end(), use.sources.begin(), use.sources.end());
+    refuse_to_overwrite("--video", options.video, use.reads, folder.path());
     video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
-  note_renderer(run);
+  }
+  note_renderer(run, try_drawing());
   write_run(run, folder);
   for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5",
                                   "assessment.json", "choice.json"})
@@ -69,12 +76,12 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
-      video->add(read_whole_file(folder.file(fmt::format("frames/{:04}.png", k))));
+      video->add(folder.read(fmt::format("frames/{:04}.png", k)));
     if (!pictures.animated()) throw OutputError("there is no video: " + pictures.animation_notes.front());
-    video->finish();
     stages.end();
   }
   folder.commit();
+  if (video) video->finish();
   talk.line(fmt::format("{} and {}: {}", counted(std::ssize(pictures.figures), "figure", "figures"),
                         counted(pictures.frames, "frame", "frames"), folder.path()));
   if (video) talk.line("video: " + options.video);

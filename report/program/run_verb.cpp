@@ -6,6 +6,7 @@
 #include "report/program/economy_work.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
+#include "report/program/output_use.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -30,7 +31,8 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   if (!options.baseline.empty()) baseline = find_baseline(options.baseline);
   check_estimate(loaded.spec, work_of_run(loaded.spec), loaded.source.file.name, output_path(options, loaded),
                  options, talk);
-  OutputFolder folder(output_path(options, loaded));
+  OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, talk));
+  const std::string renderer = try_drawing();
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
     stages.begin("choosing");
@@ -47,7 +49,7 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
-  note_renderer(run);
+  note_renderer(run, renderer);
   write_run(run, folder);
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.

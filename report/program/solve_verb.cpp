@@ -5,6 +5,7 @@
 #include "report/case_json.h"
 #include "report/program/economy_work.h"
 #include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -21,7 +22,13 @@ ExitStatus solve_verb(const Options& options, Talk& talk) {
                  given.source.file.name, output_path(options, given), options, talk);
   const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, talk);
   std::optional<OutputFolder> folder;
-  if (writes_run) folder.emplace(output_path(options, loaded));
+  FolderUse use = folder_for(given, options, talk);
+  if (writes_run) {
+    use.content = FolderContent::run;
+    folder.emplace(output_path(options, loaded), use);
+  }
+  if (!options.csv.empty() && options.csv != "-")
+    refuse_to_overwrite("--csv", options.csv, use.reads, folder ? folder->path() : "");
   stages.begin(solving_stage);
   const Run run = solve(loaded, talk);
   stages.begin("writing the run");

@@ -1,7 +1,11 @@
+#include <fmt/format.h>
+
 #include "engine/errors.h"
+#include "engine/output/file_writing.h"
 #include "engine/study/economy_study_json.h"
 #include "report/program/economy_work.h"
 #include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -24,8 +28,18 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
   if (loaded.spec.cable.model == CableModel::rigid)
     throw InputError(loaded.source.file.name +
                      ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
-  OutputFolder folder(path);
-  return kind.study(loaded, folder, stages, options, talk);
+  OutputFolder folder(path, folder_for(loaded, options, talk));
+  try_drawing();
+  try {
+    return kind.study(loaded, folder, stages, options, talk);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const OutputError& error) {
+    // What was computed is worth more than its pictures.
+    if (!folder.holds("study.h5") && !folder.holds(study_json_name)) throw;
+    folder.commit();
+    throw OutputError(fmt::format("{}; the study is kept: plumb report {}", error.what(), folder.path()));
+  }
 }
 
 }  // namespace plumb
