@@ -12,6 +12,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Throws InputError for a column that is not a list of values with a unit.
+void check_columns(const Document& baseline, const std::string& path) {
+  for (const auto& [name, column] : baseline.at("probes").items())
+    if (!column.is_object() || !column.contains("values") || !column["values"].is_array() ||
+        !column.contains("unit") || !column["unit"].is_string())
+      throw InputError(path + ": damaged: a column of its probes is no list of values with a unit");
+}
+
 /// A results.json that was kept alone, without its pictures, is held to its numbers.
 std::vector<PictureMove> moves_since(const Document& baseline, const std::string& path,
                                      const std::vector<Picture>& now) {
@@ -32,6 +40,7 @@ Document find_document(const std::string& path) {
 Document find_baseline(const std::string& path) {
   Document baseline = find_document(path);
   try {
+    check_columns(baseline, path);
     // Held against itself it shows whether it has all that is asked of it.
     Document same = baseline;
     hold_against_baseline(same, baseline, path, default_regression_share);
