@@ -104,8 +104,12 @@ Judged judged(const Given& given, std::size_t verdict = 0) {
   const plumb::Run run = given.reported();
   const Results results = evaluate(run, {});
   const Verdict& one = results.verdicts.at(verdict);
-  return {one.status, one.value, one.message, results.outcome,
-          document_of(results, {}).at("all_criteria_met").get<bool>(), one.coverage.value()};
+  return {one.status,
+          one.value,
+          one.message,
+          results.outcome,
+          document_of(results, {}).at("all_criteria_met").get<bool>(),
+          one.coverage.value()};
 }
 
 TEST(Coverage, OfAGoodRunIsAllOfTheReferenceAndIsSaidInNumbers) {
@@ -158,7 +162,7 @@ TEST(Coverage, TooLittleOfARunIsNotRunAndSaysWhy) {
        "outputs are too few"},
       {"three rows", {.run = rows({0, 1, 2})}, "g has no output within 0.25 s of t = 0.5 s"},
       {"a distant last row",
-       {.run = rows({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1e12})},
+       {.run = rows({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1e12}), .extra = "[time]\nend = 2\n"},
        "g has no output within 0.1 s of t = 1 s, and interpolation was not tried as far as 0.2 s"},
       {"a hole",
        {.run = rows(hole)},
