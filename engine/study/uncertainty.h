@@ -31,9 +31,9 @@ struct SeriesUncertainty {
   std::string series;     ///< "mid_y"
   std::string column;     ///< "mid.y"
   std::string unit;
-  bool published = false;              ///< the reference validates; a computed one verifies
-  std::vector<double> times;           ///< s, those of the reference that the run can be held against; one or more
-  std::vector<double> error;           ///< E, run minus reference
+  bool published = false;     ///< the reference validates; a computed one verifies
+  std::vector<double> times;  ///< s, those of the reference that the run can be held against; one or more
+  std::vector<double> error;  ///< E, run minus reference
   std::vector<UncertaintyPart> parts;  ///< mesh, time integration, interpolation, input, data
   std::vector<double> validation;      ///< u_val, root of the sum of squares of the estimated parts
 

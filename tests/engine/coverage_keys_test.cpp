@@ -40,32 +40,28 @@ TEST(CoverageKeys, EachBadValueIsRefusedWithWhatIsAllowed) {
   const struct {
     std::string keys, expected;
   } faults[] = {
-      {"coverage = { share = 0 }",
-       "case.toml:…coverage.share = 0: must be a number greater than 0 and of at most 1"},
-      {"coverage = { share = -1 }", "case.toml:…coverage.share = -1: must be a number greater than 0"},
-      {"coverage = { share = 1.5 }", "case.toml:…coverage.share = 1.5: must be a number greater than 0"},
-      {"coverage = { share = nan }", "case.toml:…coverage.share = nan: must be a number greater than 0"},
-      {"coverage = { to = inf }", "case.toml:…coverage.to = inf: must be a number greater than 0 (s)"},
-      {"coverage = { to = 0 }", "case.toml:…coverage.to = 0: must be a number greater than 0 (s)"},
-      {"coverage = { from = -0.5 }", "case.toml:…coverage.from = -0.5: must be a number of at least 0 (s)"},
-      {"coverage = { from = 0.5, to = 0.5 }",
-       "case.toml:…coverage.to = 0.5: must be greater than from, 0.5 (s)"},
+      {"coverage = { share = 0 }", "coverage.share = 0: must be a number greater than 0 and of at most 1"},
+      {"coverage = { share = -1 }", "coverage.share = -1: must be a number greater than 0"},
+      {"coverage = { share = 1.5 }", "coverage.share = 1.5: must be a number greater than 0"},
+      {"coverage = { share = nan }", "coverage.share = nan: must be finite: a number greater than 0"},
+      {"coverage = { to = inf }", "coverage.to = inf: must be finite: a number greater than 0 (s)"},
+      {"coverage = { to = 0 }", "coverage.to = 0: must be a number greater than 0 (s)"},
+      {"coverage = { from = -0.5 }", "coverage.from = -0.5: must be a number of at least 0 (s)"},
+      {"coverage = { from = 0.5, to = 0.5 }", "coverage.to = 0.5: must be greater than from, 0.5 (s)"},
       {"coverage = { to = 0.4 }",
-       "case.toml:…coverage.to = 0.4: leaves no time of known.toml after t = 0, which are to 1 s"},
+       "coverage.to = 0.4: leaves no time of known.toml after t = 0, which are to 1 s"},
       {"coverage = { from = 1.1 }",
-       "case.toml:…coverage.from = 1.1: leaves no time of known.toml after t = 0, which are to 1 s"},
-      {"coverage = { form = 0.5 }", "case.toml:…coverage.form = 0.5: unknown key; did you mean \"from\"?"},
-      {"coverage = 0.5", "case.toml:…coverage…"},
-      {"covrage = {}", "case.toml:…unknown …; did you mean \"coverage\"?"},
+       "coverage.from = 1.1: leaves no time of known.toml after t = 0, which are to 1 s"},
+      {"coverage = { form = 0.5 }", "coverage.form = 0.5: unknown key; did you mean \"from\"?"},
+      {"coverage = 0.5", "coverage = 0.5: must be a table, found a number"},
+      {"covrage = {}", "covrage: unknown table; did you mean \"coverage\"?"},
   };
   for (const auto& [keys, expected] : faults) {
     const std::string message = refusal(with_reference_keys(keys));
-    EXPECT_TRUE(message.find(expected.substr(expected.find("…") + std::string("…").size())) !=
-                    std::string::npos ||
-                matches(message, expected))
-        << keys << "\n"
-        << message << "\n"
-        << expected;
+    EXPECT_TRUE(message.starts_with("case.toml:22:")) << message;
+    EXPECT_NE(message.find(" reference.0." + expected), std::string::npos) << keys << "\n"
+                                                                           << message << "\n"
+                                                                           << expected;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
 }
@@ -80,12 +76,12 @@ TEST(CoverageKeys, AToleranceThatIsNoFiniteNumberIsRefused) {
   for (const char* bad : {"inf", "nan", "-inf", "0"}) {
     CaseSource source = given_case(good);
     source.file.text = with(source.file.text, "tolerance = 0.125", "tolerance = " + std::string(bad));
-    EXPECT_NE(refusal(source).find("must be a number greater than 0"), std::string::npos) << refusal(source);
+    EXPECT_NE(refusal(source).find("a number greater than 0"), std::string::npos) << refusal(source);
     const std::string run =
         refusal(given_case(good, "",
                            "[[run]]\nname = \"other\"\nfile = \"chrono.csv\"\ntolerances = { \"tip.y\" = " +
                                std::string(bad) + " }\n"));
-    EXPECT_NE(run.find("must be a number greater than 0"), std::string::npos) << run;
+    EXPECT_NE(run.find("a number greater than 0"), std::string::npos) << run;
   }
 }
 

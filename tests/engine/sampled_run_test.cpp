@@ -85,7 +85,7 @@ TEST(SampledRun, AnErrorThatCannotBeToldIsNoNumber) {
 }
 
 TEST(SampledRun, ARunOfPlumbsOwnIsTriedByItsStates) {
-  Run run = run_with("a");
+  plumb::Run run = run_with("a");
   const double h = 0.25;
   run.trajectory.times = every(h, 9);
   const Eigen::VectorXd rest = run.trajectory.q.front();

@@ -6,6 +6,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/study/assessment.h"
 #include "engine/study/run_uncertainty.h"
+#include "engine/study/uncertainty_parts.h"
 
 namespace plumb {
 namespace {
@@ -125,12 +126,22 @@ TEST(RunUncertainty, WhatIsNotAskedForIsNotEstimated) {
             "model error between 0.00654 and 0.0135 m, or in wider bounds: not every part is estimated");
 }
 
-TEST(RunUncertainty, InterpolationBetweenOutputsIsAPartOfIt) {
-  CaseSource source = falling("[uncertainty]\nnumerical = false\n");
-  source.overrides = {"time.output_interval=0.15"};
-  const plumb::Run run = run_of(source);
-  EXPECT_TRUE(run_uncertainty(run).series.at(0).times.size() == 2U)
-      << "0.5 s cannot be interpolated from 8 outputs";
+TEST(RunUncertainty, HasATimeBetweenOutputsOnlyWhereInterpolationCanBeTold) {
+  const auto times = [](const std::string& interval) {
+    CaseSource source = falling("[uncertainty]\nnumerical = false\n");
+    source.overrides = {"time.output_interval=" + interval};
+    return run_uncertainty(run_of(source)).series.at(0).times;
+  };
+  EXPECT_EQ(times("0.15"), (std::vector<double>{0, 0.5, 1})) << "from eight outputs";
+  EXPECT_EQ(times("0.17"), (std::vector<double>{0, 1})) << "seven are too few";
+}
+
+TEST(UncertaintyParts, InterpolationIsBoundsOfAUniformDistributionAndNoPartAtOutputs) {
+  const UncertaintyPart between = interpolation_part({0, 0.003});
+  EXPECT_EQ(between.state, PartState::estimated);
+  EXPECT_EQ(between.values.at(0), 0);
+  EXPECT_NEAR(between.values.at(1), 0.003 / std::sqrt(3), 1e-15);
+  EXPECT_EQ(interpolation_part({0, 0}).state, PartState::no_part);
 }
 
 TEST(RunUncertainty, SamplesThatFailAreCountedAndNamed) {
