@@ -216,13 +216,13 @@ class SolvedCase : public FaultPlan {
   Files solved(const Files& beside) {
     start_from({});
     const std::vector<std::string> earlier{
-        "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.01"};
+        "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.02"};
     EXPECT_EQ(plumb_in(folder_.path(), earlier).status, 0);
     for (const auto& [name, bytes] : beside) write_text(below_ / name, bytes);
     return files_below(below_);
   }
   const std::vector<std::string> solve_{
-      "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.02"};
+      "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.04"};
   static constexpr int fewer = 11;
 };
 
