@@ -101,6 +101,7 @@ class FaultPlan : public ::testing::Test {
 
   TemporaryFolder folder_{quick_disk()};
   const fs::path below_ = folder_ / "below";
+  bool reads_what_it_changes_ = false;
 
  private:
   static bool same(const Files& a, const Files& b) {
@@ -130,7 +131,9 @@ class FaultPlan : public ::testing::Test {
           << names(now);
       return;
     }
-    EXPECT_EQ(ended.status, 5) << ended.err;
+    // What cannot be read is told from what cannot be written.
+    EXPECT_TRUE(ended.status == 5 || (ended.status == 3 && reads_what_it_changes_))
+        << ended.status << ended.err;
     expect_one_line(ended.err);
     EXPECT_EQ(ended.err.find(".part-"), std::string::npos) << ended.err;
     EXPECT_TRUE(same(without_leftovers(now), before)) << names(now) << "\nbefore:" << names(before);
@@ -147,8 +150,10 @@ class FaultPlan : public ::testing::Test {
     }
     const Ended next = plumb_in(folder_.path(), arguments);
     EXPECT_EQ(next.status, 0) << next.err;
-    const Files now = files_below(below_);
+    Files now = files_below(below_);
     expect_sound(now);
+    // A comparison that has nothing to accept any more clears nothing.
+    if (reads_what_it_changes_) now = without_leftovers(now);
     EXPECT_TRUE(same(without_empty_folders(now), without_empty_folders(after)))
         << names(now) << "\nafter:" << names(after);
   }
@@ -168,6 +173,7 @@ class FaultPlan : public ::testing::Test {
 /// A comparison of two folders that makes the second the baseline.
 class AcceptedBaseline : public FaultPlan {
  protected:
+  AcceptedBaseline() { reads_what_it_changes_ = true; }
   /// Puts the first baseline in place as the program does, with more files beside.
   Files baseline(const Files& beside) {
     start_from({});
@@ -216,13 +222,13 @@ class SolvedCase : public FaultPlan {
   Files solved(const Files& beside) {
     start_from({});
     const std::vector<std::string> earlier{
-        "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.01"};
+        "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.02"};
     EXPECT_EQ(plumb_in(folder_.path(), earlier).status, 0);
     for (const auto& [name, bytes] : beside) write_text(below_ / name, bytes);
     return files_below(below_);
   }
   const std::vector<std::string> solve_{
-      "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.02"};
+      "solve", case_path("pendulum.toml"), "--quiet", "-o", "below/a", "--set", "time.end=0.04"};
   static constexpr int fewer = 11;
 };
 
