@@ -32,7 +32,7 @@ std::vector<Picture> read_pictures(const Document& list, const std::filesystem::
     picture.title = item.at("title").get<std::string>();
     picture.alt = item.at("alt").get<std::string>();
     picture.tall = item.at("tall").get<bool>();
-    picture.png = read_whole_file((folder / picture.file).string());
+    picture.png = read_whole_file((folder / picture.file).string(), InputKind::picture);
     pictures.push_back(std::move(picture));
   }
   return pictures;
@@ -104,7 +104,7 @@ Pictures pictures_of(const Document& document, const std::string& folder) {
     pictures.animation_notes = animation.at("notes").get<std::vector<std::string>>();
   if (!pictures.animated()) return pictures;
   const std::string player = (path / player_file).string();
-  pictures.page_animation = read_whole_file(player);
+  pictures.page_animation = read_whole_file(player, InputKind::picture);
   pictures.page_still = split_apng(pictures.page_animation, player).back();
   return pictures;
 }

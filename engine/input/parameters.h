@@ -31,6 +31,7 @@ class Parameters {
 
   const TomlValue* table_;
   std::vector<std::string> names_;
+  std::map<std::string, const TomlValue*> by_name_;
   std::vector<std::string> under_way_;
   std::map<std::string, double> values_;
   mutable std::set<std::string> used_;

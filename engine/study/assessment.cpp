@@ -91,7 +91,7 @@ Assessment decode_assessment(const std::string& text, const std::string& file, c
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, reason(error))));
   }
 }
 

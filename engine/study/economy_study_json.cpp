@@ -113,7 +113,7 @@ EconomyStudy decode_economy_study(const std::string& json, const std::string& fi
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, reason(error))));
   }
 }
 

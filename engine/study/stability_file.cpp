@@ -41,15 +41,15 @@ StabilityStudyFile decode_stability(const std::string& text, const std::string& 
   try {
     return study_of(Json::parse(text));
   } catch (const nlohmann::json::exception& error) {
-    throw refuse(error.what());
+    throw refuse(reason(error));
   } catch (const InputError& error) {
     throw InputError(one_line(fmt::format("{}: the case in it is invalid: {}", name, error.what())));
   } catch (const UsageError& error) {
-    throw refuse(error.what());
+    throw refuse(reason(error));
   } catch (const std::bad_alloc&) {
     throw refuse("it is too large for the memory at hand");
   } catch (const std::runtime_error& error) {
-    throw refuse(error.what());
+    throw refuse(reason(error));
   }
 }
 

@@ -285,7 +285,7 @@ Stability stability_from_json(const Json& json) {
     Reader reader(json);
     members(reader, study);
   } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(one_line(error.what()));
+    throw std::runtime_error(reason(error));
   }
   check(study);
   return study;

@@ -29,9 +29,9 @@ double number_of(const Json& json) {
 Sweep read(const std::string& text) {
   const Json json = Json::parse(text);
   if (json.at("kind") != "sweep") throw std::runtime_error("it is no sweep");
-  if (const int version = json.at("version"); version < 1 || version > sweep_version)
+  if (const int stored = json.at("stored"); stored < 1 || stored > sweep_version)
     throw std::runtime_error(
-        fmt::format("its version is {}, this program reads up to {}", version, sweep_version));
+        fmt::format("its stored is {}, this program reads up to {}", stored, sweep_version));
   Sweep sweep;
   sweep.loaded = load_case(case_source_from_json(json.at("case")));
   sweep.spec = {json.at("cases"), json.at("seed"), json.at("tolerance"), json.at("time_limit")};
@@ -103,7 +103,7 @@ Sweep decode_sweep(const std::string& json, const std::string& file) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, reason(error))));
   }
 }
 

@@ -138,7 +138,7 @@ VariantsStudy decode_variants(const std::string& text) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("study.json: cannot be used: {}", error.what())));
+    throw InputError(one_line(fmt::format("study.json: cannot be used: {}", reason(error))));
   }
 }
 

@@ -2,14 +2,17 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string_view>
 
 #include "engine/errors.h"
 #include "engine/input/nearest.h"
-#include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/message.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 
@@ -24,6 +27,20 @@ constexpr const char* exit_statuses =
 int fail(const std::string& message, ExitStatus status) {
   std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
   return static_cast<int>(status);
+}
+
+/// An error that names an option by its long name, with the short one where that was typed.
+std::string as_typed(std::string what, int count, const char* const* arguments) {
+  constexpr std::string_view long_name = "--output", short_name = "-o";
+  const std::vector<std::string_view> typed(arguments + 1, arguments + count);
+  const auto uses = [&](std::string_view name) {
+    return std::any_of(typed.begin(), typed.end(),
+                       [&](std::string_view word) { return word.starts_with(name); });
+  };
+  if (const std::size_t at = what.find(long_name);
+      at != std::string::npos && uses(short_name) && !uses(long_name))
+    what.replace(at, long_name.size(), short_name);
+  return what;
 }
 
 /// A word that is no verb where a verb should be is refused with the nearest verb.
@@ -177,7 +194,7 @@ int parse_and_act(int count, const char* const* arguments) {
   } catch (const CLI::ParseError& error) {
     // Help and version are "errors" with status 0.
     if (error.get_exit_code() == 0) return app.exit(error);
-    throw UsageError(std::string(error.what()) + " (see plumb --help)");
+    throw UsageError(as_typed(error.what(), count, arguments) + " (see plumb --help)");
   }
   if (options.json && options.csv == "-")
     throw UsageError("--json and --csv - cannot both have standard output");
@@ -205,8 +222,13 @@ int program(int count, const char* const* arguments) {
     return fail(error.what(), ExitStatus::interrupted);
   } catch (const std::bad_alloc&) {
     return fail("out of memory", ExitStatus::output_failed);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().string();
+    return fail(fmt::format("{}: {}", path.empty() ? "a file" : path, reason(error)),
+                ExitStatus::output_failed);
   } catch (const std::exception& error) {
-    return fail(fmt::format("internal error: {}", error.what()), ExitStatus::output_failed);
+    return fail(fmt::format("{}: cannot go on: {}", count > 1 ? arguments[1] : "plumb", reason(error)),
+                ExitStatus::output_failed);
   }
 }
 
