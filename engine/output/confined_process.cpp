@@ -26,6 +26,8 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t bytes_a_read = 1 << 20;
+/// A machine that others use as well gives a process a part of its time.
+constexpr int waiting_factor = 5;
 
 /// False where nobody listens any more.
 bool write_all(int file, const void* bytes, std::size_t count) {
@@ -207,7 +209,7 @@ std::string ConfinedProcess::ask(const std::string& question) {
   const std::uint64_t asked = question.size();
   if (!write_all(socket_, &asked, sizeof asked) || !write_all(socket_, question.data(), question.size()))
     give_up("");
-  const std::int64_t until = milliseconds() + 10'000LL * limits_.seconds;
+  const std::int64_t until = milliseconds() + 1000LL * waiting_factor * limits_.seconds;
   unsigned char good = 0;
   std::uint64_t length = 0;
   read(&good, 1, until);
@@ -229,7 +231,7 @@ void ConfinedProcess::read(void* to, std::size_t count, std::int64_t until) {
   while (count > 0) {
     stop_if_interrupted();
     if (milliseconds() > until)
-      give_up(fmt::format("reading it did not end within {} s", 10 * limits_.seconds));
+      give_up(fmt::format("reading it did not end within {} s", waiting_factor * limits_.seconds));
     pollfd waiting{socket_, POLLIN, 0};
     if (::poll(&waiting, 1, look_every) <= 0) continue;
     const ssize_t got = ::read(socket_, at, count);

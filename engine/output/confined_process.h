@@ -11,7 +11,7 @@ namespace plumb {
 /// What a confined process may use.
 struct Confinement {
   std::uint64_t memory = 0;  ///< beyond what the process has when it starts, bytes
-  int seconds = 0;           ///< of processor time for one answer; as a time of waiting ten times as much
+  int seconds = 0;           ///< of processor time for one answer; as a time of waiting five times as much
   std::uint64_t longest_answer = 0;  ///< bytes
 };
 

@@ -29,9 +29,9 @@ double number_of(const Json& json) {
 Sweep read(const std::string& text) {
   const Json json = Json::parse(text);
   if (json.at("kind") != "sweep") throw std::runtime_error("it is no sweep");
-  if (const int stored = json.at("stored"); stored < 1 || stored > sweep_version)
+  if (const int stored = json.at("version"); stored < 1 || stored > sweep_version)
     throw std::runtime_error(
-        fmt::format("its stored is {}, this program reads up to {}", stored, sweep_version));
+        fmt::format("its version is {}, this program reads up to {}", stored, sweep_version));
   Sweep sweep;
   sweep.loaded = load_case(case_source_from_json(json.at("case")));
   sweep.spec = {json.at("cases"), json.at("seed"), json.at("tolerance"), json.at("time_limit")};
