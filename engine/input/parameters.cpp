@@ -32,7 +32,7 @@ bool is_usable(const std::string& name) {
 
 }  // namespace
 
-Parameters::Parameters(const TomlValue* table) : table_(table) {
+Parameters::Parameters(const TomlValue* table) {
   if (table == nullptr) return;
   if (table->kind != TomlValue::Kind::table) {
     refuse(table->place, "parameters", table->written,

@@ -68,9 +68,12 @@ std::string what_is_there(const std::string& name, const GivenTable& file) {
   constexpr std::size_t most = 20;
   std::vector<std::string> names;
   for (const GivenTable::Column& column : file.columns()) names.push_back(column.name);
-  const std::string near(nearest(name, names));
+  // What has one column is hardly a table: a file that was named by mistake is not shown.
+  if (names.size() == 1) return "; the file has one column only";
+  const std::string near = short_value(nearest(name, names));
   const std::size_t more = names.size() > most ? names.size() - most : 0;
   names.resize(names.size() - more);
+  for (std::string& shown : names) shown = short_value(shown);
   return (near.empty() ? "; the" : fmt::format("; did you mean \"{}\"? The", near)) +
          fmt::format(" file has: {}{}", fmt::join(names, ", "),
                      more > 0 ? fmt::format(" and {} more", more) : "");

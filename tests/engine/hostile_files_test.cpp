@@ -60,6 +60,12 @@ TEST(HostileFiles, AFileThatIsNoTomlIsNotShown) {
   EXPECT_EQ(message.find("word"), std::string::npos) << message;
 }
 
+TEST(HostileFiles, AFileThatIsNoTableIsNotShown) {
+  const std::string message = refusal(given_case("secret:x:0\nword:y:1\n"));
+  EXPECT_NE(message.find("the file has one column only"), std::string::npos) << message;
+  EXPECT_EQ(message.find("secret"), std::string::npos) << message;
+}
+
 TEST(HostileFiles, ATableOfVeryManyColumnsIsReadInTheTimeOfItsLength) {
   constexpr int columns = 30'000;
   std::string file = "t,tip.y";
