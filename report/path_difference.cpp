@@ -7,6 +7,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
+#include "engine/message.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
 #include "engine/output/manifest.h"

@@ -7,6 +7,7 @@
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
 #include "engine/input/parse_json.h"
+#include "engine/message.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
 #include "render/apng.h"
@@ -48,7 +49,7 @@ class PictureReader {
     if (error || seen.empty() || *seen.begin() == "..")
       refuse(file, "is a link out of the folder of the document");
     if (!fs::is_regular_file(path, error)) refuse(file, "is no file");
-    std::string png = read_whole_file(path.string());
+    std::string png = read_whole_file(path.string(), InputKind::picture);
     if (png.size() > room_) refuse(file, "and those before it are too large for a page");
     room_ -= png.size();
     read_png_file(png, (folder_ / inner).string());

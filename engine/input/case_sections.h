@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,12 +40,34 @@ struct ReferencesRead {
   std::vector<std::string> remarks;
 };
 
-/// Gives the text of a reference by its `file` key, or why there is none.
-using ReferenceText = std::function<FileText(const std::string& file)>;
+/// Gives the text of a reference or given run by its `file` key, or why there is none.
+using ReferenceText = std::function<FileText(const std::string& file, InputKind kind)>;
+
+/// The reference files of a case, each read once however often the case is, as for each of its variants.
+class ReferenceFiles {
+ public:
+  explicit ReferenceFiles(ReferenceText text_of) : text_of_(std::move(text_of)) {}
+  /// By a reference's `file` key.
+  const FileText& text(const std::string& file);
+  /// The same, checked; errors show it by the other name. Throws InputError.
+  const Reference& reference(const std::string& file, const std::string& shown_name);
+  const ReferenceText& text_of() const { return text_of_; }
+
+ private:
+  struct File {
+    std::optional<FileText> text;
+    std::optional<Reference> reference;
+  };
+  ReferenceText text_of_;
+  std::map<std::string, File> files_;
+};
+
+/// The most [[reference]] tables, and the most [[run]] tables, of a case.
+inline constexpr std::size_t most_files = 100;
 
 /// `case_name` is the case file's own: errors within a reference name it relative to the same folder.
 ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
-                               const ReferenceText& text_of, const std::vector<ProbeSpec>& probes,
+                               ReferenceFiles& files, const std::vector<ProbeSpec>& probes,
                                const TimeSpec& time);
 
 /// What [[run]] says and the runs it names, in the same order.

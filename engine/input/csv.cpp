@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include "engine/errors.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
+#include "engine/interrupt.h"
 
 namespace plumb {
 namespace {
+
+constexpr std::size_t most_cells = 10'000'000;
 
 bool blank(char c) {
   return c == ' ' || c == '\t';
@@ -24,8 +27,12 @@ class Parser {
     std::vector<CsvLine> result;
     while (at_ < text_.size()) {
       CsvLine line{line_, {}};
-      do line.cells.push_back(cell());
-      while (take(separator_));
+      do {
+        // A cell takes some fifty times the memory of the comma that makes it.
+        if (++cells_ > most_cells) fail(fmt::format("there are more than {} cells", most_cells));
+        if (cells_ % 4096 == 0) stop_if_interrupted();
+        line.cells.push_back(cell());
+      } while (take(separator_));
       end_line();
       if (line.cells.size() > 1 || !line.cells.front().text.empty()) result.push_back(std::move(line));
     }
@@ -105,7 +112,7 @@ class Parser {
   std::string_view text_;
   std::string name_;
   char separator_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, cells_ = 0;
   int line_ = 1, column_ = 1;
 };
 

@@ -5,11 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 #include "engine/errors.h"
 #include "engine/input/csv.h"
 #include "engine/input/given_table.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 
 namespace plumb {
 namespace {
@@ -27,12 +28,6 @@ std::optional<double> parse_number(std::string_view text) {
   if (error == std::errc::result_out_of_range && end == text.data() + text.size()) return HUGE_VAL;
   if (error != std::errc() || end != text.data() + text.size()) return {};
   return value;
-}
-
-/// The text of a cell for a message: short, whatever it holds.
-std::string shown(const std::string& cell) {
-  constexpr std::size_t longest = 40;
-  return cell.size() <= longest ? cell : cell.substr(0, longest) + "…";
 }
 
 char separator_of(std::string_view header) {
@@ -111,11 +106,12 @@ class CsvTable final : public GivenTable {
       return;
     fail(place_of(lines_.front(), cells.front()),
          fmt::format("\"{}\" is a number where the header must be: the first line must name the columns{}",
-                     shown(cells.front().text),
+                     short_value(cells.front().text),
                      notes_.empty() ? "" : " (lines that begin with # are passed over)"));
   }
 
   void read_header() {
+    std::unordered_map<std::string, std::string> first_of;
     for (const CsvCell& cell : lines_.front().cells) {
       const std::string place = place_of(lines_.front(), cell);
       Column column{cell.text, "", place};
@@ -133,10 +129,9 @@ class CsvTable final : public GivenTable {
         }
         fail(place, "a column has no name");
       }
-      for (const Column& other : columns_)
-        if (other.name == column.name)
-          fail(place,
-               fmt::format("the column \"{}\" is there twice, first at {}", shown(column.name), other.place));
+      if (const auto [other, is_new] = first_of.emplace(column.name, place); !is_new)
+        fail(place, fmt::format("the column \"{}\" is there twice, first at {}", short_value(column.name),
+                                other->second));
       columns_.push_back(std::move(column));
     }
   }
@@ -183,7 +178,8 @@ class CsvTable final : public GivenTable {
       fail(place_of(*comma_line, *with_comma),
            fmt::format(
                "\"{}\" has a comma and \"{}\" at {} a point: it cannot be told which is the decimal sign",
-               shown(with_comma->text), shown(with_point->text), place_of(*point_line, *with_point)));
+               short_value(with_comma->text), short_value(with_point->text),
+               place_of(*point_line, *with_point)));
     decimal_comma_ = true;
     notes_.emplace_back("the commas in its numbers are read as decimal signs");
   }
@@ -191,8 +187,9 @@ class CsvTable final : public GivenTable {
   double number(int column, std::size_t row) const {
     const CsvCell& cell = lines_[row + 1].cells[static_cast<std::size_t>(column)];
     const auto refuse_cell = [&](const std::string& what) {
-      fail(place(column, row), fmt::format("{} = \"{}\": {}", columns_[static_cast<std::size_t>(column)].name,
-                                           shown(cell.text), what));
+      fail(place(column, row),
+           fmt::format("{} = \"{}\": {}", short_value(columns_[static_cast<std::size_t>(column)].name),
+                       short_value(cell.text), what));
     };
     if (cell.text.empty()) refuse_cell("is empty; must be a finite number");
     std::string text = cell.text;

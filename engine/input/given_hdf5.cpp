@@ -6,7 +6,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/given_table.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/output/hdf5.h"
 
 namespace plumb {
@@ -22,8 +22,10 @@ class Hdf5Table final : public GivenTable {
       reader_.emplace(file.text);
       for (const std::string& path : reader_->series())
         columns_.push_back({path, reader_->unit(path), at(path)});
+    } catch (const Interrupted&) {
+      throw;
     } catch (const std::runtime_error& error) {
-      fail(name_ + ": cannot be used", error.what());
+      fail(name_ + ": cannot be used", reason(error));
     }
     if (columns_.empty()) fail(name_, "holds no data set of numbers of one dimension");
   }
@@ -38,8 +40,10 @@ class Hdf5Table final : public GivenTable {
     std::vector<double> values;
     try {
       values = reader_->series_values(path, most_rows);
+    } catch (const Interrupted&) {
+      throw;
     } catch (const std::runtime_error& error) {
-      fail(at(path), error.what());
+      fail(at(path), reason(error));
     }
     if (values.empty()) fail(at(path), "has no rows");
     for (std::size_t row = 0; row < values.size(); ++row)

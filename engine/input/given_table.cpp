@@ -3,12 +3,14 @@
 namespace plumb {
 
 int GivenTable::find(const std::string& name) const {
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const Column& column = columns_[k];
-    if (column.name == name || (!column.unit.empty() && column.name + " [" + column.unit + "]" == name))
-      return static_cast<int>(k);
-  }
-  return -1;
+  if (by_name_.empty())
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const Column& column = columns_[k];
+      by_name_.emplace(column.name, static_cast<int>(k));
+      if (!column.unit.empty()) by_name_.emplace(column.name + " [" + column.unit + "]", static_cast<int>(k));
+    }
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? -1 : found->second;
 }
 
 std::unique_ptr<GivenTable> read_given_table(const NamedText& file) {

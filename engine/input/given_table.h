@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/input/case_source.h"
@@ -41,6 +42,9 @@ class GivenTable {
   std::string name_;
   std::vector<Column> columns_;
   std::vector<std::string> notes_;
+
+ private:
+  mutable std::unordered_map<std::string, int> by_name_;  ///< made by the first `find`
 };
 
 /// Reads the table of a file by what it begins with: HDF5, or else CSV. `file.name` is shown in errors.

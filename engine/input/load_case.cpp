@@ -26,13 +26,22 @@ enum class Extent {
   motion,           ///< what the motion depends on, and neither what is compared nor what is drawn
 };
 
-LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of, Extent extent);
 LoadedCase read_case(const NamedText& file, const TomlValue& written,
-                     const std::vector<std::string>& overrides, const ReferenceText& text_of, Extent extent);
+                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent);
 
-void read_studies(TableReader study, const NamedText& file, const std::vector<std::string>& overrides,
-                  const ReferenceText& text_of, Case& spec) {
+/// The case without what is read of everything only, so that to read it once more for each variant does not
+/// cost all other variants.
+TomlValue without_studies(const TomlValue& written) {
+  TomlValue result = written;
+  std::erase_if(result.items, [](const TomlValue& item) {
+    return item.key == "study" || item.key == "uncertainty" || item.key == "error_budget" ||
+           item.key == "run";
+  });
+  return result;
+}
+
+void read_studies(TableReader study, const NamedText& file, const TomlValue& written,
+                  const std::vector<std::string>& overrides, ReferenceFiles& files, Case& spec) {
   const bool has_work_precision = study.has("work_precision");
   const bool has_stability = study.has("stability");
   const bool has_sweep = study.has("sweep");
@@ -45,20 +54,23 @@ void read_studies(TableReader study, const NamedText& file, const std::vector<st
     spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
   if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
   if (has_economy) spec.economy = read_economy(study.table("economy"), spec.scene);
+  if (variants.empty()) return;
+  const TomlValue bare = without_studies(written);
   spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
-    return read_case(file, all, text_of, Extent::without_studies).spec;
+    return read_case(file, bare, all, files, Extent::without_studies).spec;
   });
 }
 
-LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides,
-                     const ReferenceText& text_of, Extent extent) {
-  return read_case(file, parse_toml(file), overrides, text_of, extent);
+LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides, ReferenceText text_of,
+                     Extent extent) {
+  ReferenceFiles files(std::move(text_of));
+  return read_case(file, parse_toml(file), overrides, files, extent);
 }
 
 LoadedCase read_case(const NamedText& file, const TomlValue& written,
-                     const std::vector<std::string>& overrides, const ReferenceText& text_of, Extent extent) {
+                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent) {
   TomlValue merged = written;
   for (const std::string& text : overrides) apply_override(merged, text);
 
@@ -97,7 +109,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   spec.loads = read_loads(loads);
   if (extent != Extent::motion) spec.probes = read_probes(probes);
   GivenRunsRead given;
-  if (extent == Extent::everything) given = read_given_runs(runs, file.name, text_of, spec.probes);
+  if (extent == Extent::everything) given = read_given_runs(runs, file.name, files.text_of(), spec.probes);
   spec.given_runs = std::move(given.specs);
   if (given_only) {
     const double last = given.runs.front().times.back();
@@ -115,7 +127,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
   }
   if (extent == Extent::motion) return loaded;
-  ReferencesRead read = read_references(references, file.name, text_of, spec.probes, spec.time);
+  ReferencesRead read = read_references(references, file.name, files, spec.probes, spec.time);
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
   spec.scene = read_scene(scene, spec.time);
@@ -125,12 +137,12 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
       for (const char* key : {"study", "uncertainty", "error_budget"})
         if (root.has(key))
           root.refuse_value(key, "belongs to runs of Plumb's own; a case without [method] has none");
-    read_studies(study, file, overrides, text_of, spec);
+    read_studies(study, file, written, overrides, files, spec);
     if (has_uncertainty) spec.uncertainty = read_uncertainty(uncertainty, spec);
     if (has_error_budget)
       spec.error_budget =
           read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
-            return read_case(file, written, joined_overrides(overrides, more), text_of, Extent::motion).spec;
+            return read_case(file, written, joined_overrides(overrides, more), files, Extent::motion).spec;
           });
   }
 
@@ -147,7 +159,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
 
 /// Gives the texts of references and given runs that a source holds, which must outlive it.
 ReferenceText texts_of(const CaseSource& source) {
-  return [&](const std::string& name) {
+  return [&](const std::string& name, InputKind) {
     for (const auto* files : {&source.references, &source.given_runs})
       for (const NamedText& file : *files)
         if (file.name == name) return FileText{file.text, ""};
@@ -158,11 +170,12 @@ ReferenceText texts_of(const CaseSource& source) {
 }  // namespace
 
 LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
-  const std::string text = read_whole_file(path);
+  const std::string text = read_whole_file(path, InputKind::case_file);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return read_case(
       {path, text}, overrides,
-      [&](const std::string& name) { return read_file_text((folder / name).string()); }, Extent::everything);
+      [&](const std::string& name, InputKind kind) { return read_file_text((folder / name).string(), kind); },
+      Extent::everything);
 }
 
 LoadedCase load_case(const CaseSource& source) {

@@ -27,12 +27,19 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string_view nearest(std::string_view word, std::span<const std::string> known) {
   // No known word is that long, and the work grows with the product of the lengths.
-  if (word.size() > 100) return {};
+  constexpr std::size_t longest = 100, most_work = 20'000'000;
+  if (word.size() > longest) return {};
   std::string_view best;
-  std::size_t best_distance = 0;
+  std::size_t best_distance = 0, work = 0;
   for (const std::string& candidate : known) {
+    // The distance is at least the difference of the lengths.
+    const std::size_t more = std::max(word.size(), candidate.size()),
+                      less = std::min(word.size(), candidate.size());
+    if (2 * (more - less) > more) continue;
+    work += more * less;
+    if (work > most_work) break;
     const std::size_t distance = edit_distance(word, candidate);
-    if (2 * distance > std::max(word.size(), candidate.size())) continue;
+    if (2 * distance > more) continue;
     if (best.empty() || distance < best_distance) {
       best = candidate;
       best_distance = distance;
@@ -45,7 +52,10 @@ std::string suggestion(std::string_view word, std::span<const std::string> known
   if (const std::string_view near = nearest(word, known); !near.empty())
     return fmt::format("; did you mean \"{}\"?", near);
   if (known.empty()) return {};
-  return fmt::format("; known: {}", fmt::join(known, ", "));
+  constexpr std::size_t most = 30;
+  const auto shown = known.first(std::min(most, known.size()));
+  return fmt::format("; known: {}{}", fmt::join(shown, ", "),
+                     known.size() > most ? fmt::format(" and {} more", known.size() - most) : "");
 }
 
 }  // namespace plumb

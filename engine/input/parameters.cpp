@@ -32,7 +32,7 @@ bool is_usable(const std::string& name) {
 
 }  // namespace
 
-Parameters::Parameters(const TomlValue* table) : table_(table) {
+Parameters::Parameters(const TomlValue* table) {
   if (table == nullptr) return;
   if (table->kind != TomlValue::Kind::table) {
     refuse(table->place, "parameters", table->written,
@@ -52,6 +52,7 @@ Parameters::Parameters(const TomlValue* table) : table_(table) {
              "the name is taken by a built-in function or constant");
     }
     names_.push_back(parameter.key);
+    by_name_.emplace(parameter.key, &parameter);
   }
   for (const TomlValue& parameter : table->items) resolve(parameter);
 }
@@ -71,7 +72,7 @@ double Parameters::resolve(const TomlValue& parameter) {
                          parameter.key));
     }
     under_way_.push_back(parameter.key);
-    for (const std::string& name : used_names(parameter, key)) resolve(*table_->find(name));
+    for (const std::string& name : used_names(parameter, key)) resolve(*by_name_.at(name));
     under_way_.pop_back();
     value = evaluate(parameter, key);
     computed = number_text(value);
@@ -88,7 +89,7 @@ std::vector<std::string> Parameters::used_names(const TomlValue& expression, con
   try {
     std::vector<std::string> names;
     for (const UsedName& used : names_in(expression.string)) {
-      if (std::find(names_.begin(), names_.end(), used.name) == names_.end()) {
+      if (!by_name_.contains(used.name)) {
         const std::string end =
             names_.empty() ? "; the case has no [parameters]" : suggestion(used.name, names_);
         refuse_expression(expression, key, used.position,

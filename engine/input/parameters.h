@@ -29,8 +29,8 @@ class Parameters {
   double resolve(const TomlValue& parameter);
   std::vector<std::string> used_names(const TomlValue& expression, const std::string& key) const;
 
-  const TomlValue* table_;
   std::vector<std::string> names_;
+  std::map<std::string, const TomlValue*> by_name_;
   std::vector<std::string> under_way_;
   std::map<std::string, double> values_;
   mutable std::set<std::string> used_;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
+#include "engine/message.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
 

@@ -1,27 +1,14 @@
+#include "engine/message.h"
 #include "engine/input/place.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
-
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-
-}  // namespace
 
 std::string to_string(const Place& place) {
   return place.in_override() ? place.name : fmt::format("{}:{}:{}", place.name, place.line, place.column);
-}
-
-std::string one_line(std::string text) {
-  std::replace_if(text.begin(), text.end(), is_control, ' ');
-  return text;
 }
 
 void refuse(const Place& place, std::string_view key, std::string_view value, std::string_view what,

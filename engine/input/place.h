@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/message.h"
+
 namespace plumb {
 
 /// Where a value stands that the user gave.
@@ -16,9 +18,6 @@ struct Place {
 
 /// "cases/a.toml:4:10" or "--set cable.elements=0".
 std::string to_string(const Place& place);
-
-/// The text with every control character, line ends among them, as a space.
-std::string one_line(std::string text);
 
 /// Throws the InputError "PLACE: KEY = VALUE: WHAT", in one line whatever the parts hold. `value` is as
 /// written; an empty one is left out, and so are key and value where the name of an override shows them

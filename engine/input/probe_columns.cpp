@@ -20,4 +20,17 @@ const ProbeSpec* probe_of(const std::string& column, const std::vector<ProbeSpec
   return nullptr;
 }
 
+ProbeColumns::ProbeColumns(const std::vector<ProbeSpec>& probes) {
+  for (const ProbeSpec& probe : probes)
+    for (std::string& column : column_names(probe)) {
+      probes_.emplace(column, &probe);
+      names_.push_back(std::move(column));
+    }
+}
+
+const ProbeSpec* ProbeColumns::probe(const std::string& column) const {
+  const auto found = probes_.find(column);
+  return found == probes_.end() ? nullptr : found->second;
+}
+
 }  // namespace plumb

@@ -11,14 +11,16 @@
 namespace plumb {
 namespace {
 
-std::string_view unit_of(const std::string& column, const std::vector<ProbeSpec>& probes) {
-  return column == "t" ? "s" : unit(probe_of(column, probes)->quantity);
+std::string_view unit_of(const std::string& column, const ProbeColumns& columns) {
+  return column == "t" ? "s" : unit(columns.probe(column)->quantity);
 }
 
 void check_column(const TableReader& table, std::string_view key, const std::string& column,
-                  const std::vector<std::string>& columns) {
-  if (std::find(columns.begin(), columns.end(), column) != columns.end()) return;
-  table.refuse_value(key, "not a column of the probes" + suggestion(column, columns));
+                  const ProbeColumns& columns, bool or_time) {
+  if (columns.probe(column) != nullptr || (or_time && column == "t")) return;
+  std::vector<std::string> known = columns.names();
+  if (or_time) known.emplace_back("t");
+  table.refuse_value(key, "not a column of the probes" + suggestion(column, known));
 }
 
 void check_reference(const TableReader& table, const FigureSpec& figure,
@@ -42,9 +44,7 @@ void check_reference(const TableReader& table, const FigureSpec& figure,
 
 std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std::vector<ProbeSpec>& probes,
                                      const std::vector<ReferenceUse>& references) {
-  const std::vector<std::string> columns = all_columns(probes);
-  std::vector<std::string> columns_and_time = columns;
-  columns_and_time.emplace_back("t");
+  const ProbeColumns columns(probes);
   std::vector<FigureSpec> figures;
   for (TableReader& table : tables) {
     FigureSpec figure;
@@ -64,9 +64,9 @@ std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std:
     const auto same = [&](const FigureSpec& other) { return other.name == figure.name; };
     if (std::any_of(figures.begin(), figures.end(), same))
       table.refuse_value("name", "is the name of another figure");
-    check_column(table, "x", figure.x, columns_and_time);
-    check_column(table, "y", figure.y, columns);
-    const std::string_view x_unit = unit_of(figure.x, probes), y_unit = unit_of(figure.y, probes);
+    check_column(table, "x", figure.x, columns, true);
+    check_column(table, "y", figure.y, columns, false);
+    const std::string_view x_unit = unit_of(figure.x, columns), y_unit = unit_of(figure.y, columns);
     if (figure.equal_axes && x_unit != y_unit) {
       table.refuse_value("equal_axes",
                          fmt::format("the axes have different units, {} and {}", x_unit, y_unit));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <unordered_set>
 
 #include "engine/errors.h"
 #include "engine/input/case_sections.h"
@@ -19,34 +20,34 @@ namespace {
 
 constexpr const char* time_column = "t";
 
-std::string base_unit(const std::string& column, const std::vector<ProbeSpec>& probes) {
-  return column == time_column ? "s" : std::string(unit(probe_of(column, probes)->quantity));
+std::string base_unit(const std::string& column, const ProbeColumns& columns) {
+  return column == time_column ? "s" : std::string(unit(columns.probe(column)->quantity));
 }
 
 /// Refuses the item where its key is no column of the probes.
-void check_key(const TableReader& table, const TomlValue& item, const std::vector<std::string>& columns) {
-  if (std::find(columns.begin(), columns.end(), item.key) != columns.end()) return;
+void check_key(const TableReader& table, const TomlValue& item, const ProbeColumns& columns, bool or_time) {
+  if (columns.probe(item.key) != nullptr || (or_time && item.key == time_column)) return;
+  std::vector<std::string> known = columns.names();
+  if (or_time) known.emplace_back(time_column);
   refuse(item.key_place, table.full_key(item.key), item.written,
-         "not a column of the probes" + suggestion(item.key, columns));
+         "not a column of the probes" + suggestion(item.key, known));
 }
 
-std::map<std::string, std::string> read_texts(const TableReader& table,
-                                              const std::vector<std::string>& columns) {
+std::map<std::string, std::string> read_texts(const TableReader& table, const ProbeColumns& columns) {
   std::map<std::string, std::string> result;
   for (const TomlValue& item : table.value().items) {
-    check_key(table, item, columns);
+    check_key(table, item, columns, true);
     result[item.key] = table.text_in(item, table.full_key(item.key));
   }
   return result;
 }
 
-std::map<std::string, double> read_tolerances(const TableReader& table,
-                                              const std::vector<ProbeSpec>& probes) {
+std::map<std::string, double> read_tolerances(const TableReader& table, const ProbeColumns& columns) {
   std::map<std::string, double> result;
   for (const TomlValue& item : table.value().items) {
-    check_key(table, item, all_columns(probes));
+    check_key(table, item, columns, false);
     result[item.key] =
-        table.number_in(item, table.full_key(item.key), Range::positive(base_unit(item.key, probes)));
+        table.number_in(item, table.full_key(item.key), Range::positive(base_unit(item.key, columns)));
   }
   return result;
 }
@@ -67,9 +68,12 @@ std::string what_is_there(const std::string& name, const GivenTable& file) {
   constexpr std::size_t most = 20;
   std::vector<std::string> names;
   for (const GivenTable::Column& column : file.columns()) names.push_back(column.name);
-  const std::string near(nearest(name, names));
+  // What has one column is hardly a table: a file that was named by mistake is not shown.
+  if (names.size() == 1) return "; the file has one column only";
+  const std::string near = short_value(nearest(name, names));
   const std::size_t more = names.size() > most ? names.size() - most : 0;
   names.resize(names.size() - more);
+  for (std::string& shown : names) shown = short_value(shown);
   return (near.empty() ? "; the" : fmt::format("; did you mean \"{}\"? The", near)) +
          fmt::format(" file has: {}{}", fmt::join(names, ", "),
                      more > 0 ? fmt::format(" and {} more", more) : "");
@@ -79,14 +83,14 @@ std::string what_is_there(const std::string& name, const GivenTable& file) {
 class RunReader {
  public:
   RunReader(const TableReader& table, const TableReader& columns, const TableReader& units,
-            const GivenRunSpec& spec, const GivenTable& file, const std::vector<ProbeSpec>& probes)
+            const GivenRunSpec& spec, const GivenTable& file, const ProbeColumns& probes)
       : table_(table), columns_(columns), units_(units), spec_(spec), file_(file), probes_(probes) {}
 
   GivenRun read() {
     GivenRun run;
     run.notes = file_.notes();
     read_times(run);
-    for (const std::string& name : all_columns(probes_)) {
+    for (const std::string& name : probes_.names()) {
       const int found = find(name);
       if (found < 0) continue;
       GivenColumn column;
@@ -102,7 +106,7 @@ class RunReader {
       run.columns.push_back(std::move(column));
     }
     if (run.columns.empty()) {
-      const std::vector<std::string> wanted = all_columns(probes_);
+      const std::vector<std::string>& wanted = probes_.names();
       table_.refuse_value("columns", wanted.empty()
                                          ? "the case has no [[probe]] that a column of the file could be of"
                                          : fmt::format("{} has no column of the probes, as {}{}", spec_.file,
@@ -177,7 +181,7 @@ class RunReader {
   const TableReader &table_, &columns_, &units_;
   const GivenRunSpec& spec_;
   const GivenTable& file_;
-  const std::vector<ProbeSpec>& probes_;
+  const ProbeColumns& probes_;
 };
 
 }  // namespace
@@ -185,8 +189,10 @@ class RunReader {
 GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::string& case_name,
                               const ReferenceText& text_of, const std::vector<ProbeSpec>& probes) {
   GivenRunsRead read;
-  std::vector<std::string> keys = all_columns(probes);
-  keys.emplace_back(time_column);
+  const ProbeColumns keys(probes);
+  if (tables.size() > most_files)
+    tables[most_files].refuse_value(
+        "file", fmt::format("at most {} tables [[run]] are allowed, found {}", most_files, tables.size()));
   for (TableReader& table : tables) {
     GivenRunSpec spec;
     spec.file = table.text("file", "the path of a CSV or HDF5 file, relative to this one");
@@ -201,16 +207,16 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
     check_name(table, spec.name, name_given, read.specs);
     spec.columns = read_texts(columns, keys);
     spec.units = read_texts(units, keys);
-    spec.tolerances = read_tolerances(tolerances, probes);
+    spec.tolerances = read_tolerances(tolerances, keys);
     if (has_coverage && spec.tolerances.empty())
       table.refuse_value("coverage", "belongs to tolerances, of which the run has none");
 
-    FileText file = text_of(spec.file);
+    FileText file = text_of(spec.file, InputKind::given_run);
     if (!file.failure.empty()) table.refuse_value("file", "cannot be read: " + file.failure);
     NamedText named{(std::filesystem::path(case_name).parent_path() / spec.file).string(),
                     std::move(file.text)};
     if (named.text.empty()) table.refuse_value("file", "is empty");
-    GivenRun run = RunReader(table, columns, units, spec, *read_given_table(named), probes).read();
+    GivenRun run = RunReader(table, columns, units, spec, *read_given_table(named), keys).read();
     spec.coverage = read_coverage(coverage, run.times, spec.file);
     for (const std::string& note : run.notes) read.remarks.push_back(spec.file + ": " + note);
 
@@ -230,8 +236,10 @@ void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
     // Verdicts are named after both.
     for (const ReferenceUse& use : spec.references)
       if (use.name == given.name) tables[k].refuse_value("name", "is the name of a reference");
+    std::unordered_set<std::string_view> there{time_column};
+    for (const GivenColumn& column : runs[k].columns) there.insert(column.name);
     const auto need = [&](const std::string& column, const std::string& user, bool may_be_missing) {
-      if (column == time_column || runs[k].find(column) != nullptr) return;
+      if (there.contains(column)) return;
       const auto mapped = given.columns.find(column);
       if (mapped != given.columns.end() && may_be_missing) return;
       tables[k].refuse_value(

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 #include "engine/input/case_sections.h"
 #include "engine/input/name_rule.h"
@@ -9,6 +9,7 @@ namespace plumb {
 
 std::vector<ProbeSpec> read_probes(std::vector<TableReader> tables) {
   std::vector<ProbeSpec> probes;
+  std::set<std::string> names;
   for (TableReader& table : tables) {
     ProbeSpec probe;
     probe.name = table.text("name", "a name");
@@ -18,9 +19,7 @@ std::vector<ProbeSpec> read_probes(std::vector<TableReader> tables) {
 
     if (!follows_name_rule(probe.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
     if (probe.name == "t") table.refuse_value("name", "is the name of the time");
-    const auto same = [&](const ProbeSpec& other) { return other.name == probe.name; };
-    if (std::any_of(probes.begin(), probes.end(), same))
-      table.refuse_value("name", "is the name of another probe");
+    if (!names.insert(probe.name).second) table.refuse_value("name", "is the name of another probe");
     probes.push_back(probe);
   }
   return probes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <unordered_map>
 
 #include "engine/input/case_sections.h"
 #include "engine/input/name_rule.h"
@@ -12,25 +13,23 @@ namespace plumb {
 namespace {
 
 /// `compare = { mid_y = "mid.y" }`, not yet held against the reference itself.
-std::vector<Comparison> read_comparisons(TableReader table, const std::vector<ProbeSpec>& probes) {
+std::vector<Comparison> read_comparisons(TableReader table, const ProbeColumns& columns) {
   std::vector<Comparison> comparisons;
+  std::unordered_map<std::string, std::string> series_of;
   for (const TomlValue& item : table.value().items) {
     const Comparison comparison{item.key, table.text_in(item, table.full_key(item.key))};
-    const std::vector<std::string> columns = all_columns(probes);
-    if (std::find(columns.begin(), columns.end(), comparison.column) == columns.end()) {
-      table.refuse_value(item.key, "not a column of the probes" + suggestion(comparison.column, columns));
-    }
-    for (const Comparison& other : comparisons) {
-      if (other.column != comparison.column) continue;
-      table.refuse_value(item.key, fmt::format("the column is compared with {} already", other.series));
-    }
+    if (columns.probe(comparison.column) == nullptr)
+      table.refuse_value(item.key,
+                         "not a column of the probes" + suggestion(comparison.column, columns.names()));
+    if (const auto [other, is_new] = series_of.emplace(comparison.column, comparison.series); !is_new)
+      table.refuse_value(item.key, fmt::format("the column is compared with {} already", other->second));
     comparisons.push_back(comparison);
   }
   return comparisons;
 }
 
 void check_series(const TableReader& compare, const ReferenceUse& use, const Reference& reference,
-                  const std::vector<ProbeSpec>& probes) {
+                  const ProbeColumns& columns) {
   std::vector<std::string> names;
   for (const ReferenceSeries& series : reference.series) names.push_back(series.name);
   for (const Comparison& comparison : use.compare) {
@@ -40,7 +39,7 @@ void check_series(const TableReader& compare, const ReferenceUse& use, const Ref
       refuse(item.key_place, compare.full_key(item.key), item.written,
              fmt::format("{} has no series \"{}\"{}", use.file, item.key, suggestion(item.key, names)));
     }
-    const std::string_view probed = unit(probe_of(comparison.column, probes)->quantity);
+    const std::string_view probed = unit(columns.probe(comparison.column)->quantity);
     if (series->unit != probed) {
       compare.refuse_value(comparison.series,
                            fmt::format("the unit must be that of the series, {}; that of the column is {}",
@@ -66,10 +65,27 @@ void check_name(const TableReader& table, const std::string& name, bool given,
 
 }  // namespace
 
+const FileText& ReferenceFiles::text(const std::string& file) {
+  File& found = files_[file];
+  if (!found.text) found.text = text_of_(file, InputKind::reference);
+  return *found.text;
+}
+
+const Reference& ReferenceFiles::reference(const std::string& file, const std::string& shown_name) {
+  File& found = files_[file];
+  if (!found.reference) found.reference = read_reference({shown_name, text(file).text});
+  return *found.reference;
+}
+
 ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
-                               const ReferenceText& text_of, const std::vector<ProbeSpec>& probes,
+                               ReferenceFiles& files, const std::vector<ProbeSpec>& probes,
                                const TimeSpec& time) {
   ReferencesRead read;
+  const ProbeColumns columns(probes);
+  if (tables.size() > most_files)
+    tables[most_files].refuse_value(
+        "file",
+        fmt::format("at most {} tables [[reference]] are allowed, found {}", most_files, tables.size()));
   for (TableReader& table : tables) {
     ReferenceUse use;
     use.file = table.text("file", "the path of a reference file, relative to this one");
@@ -84,14 +100,14 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     table.finish();
 
     check_name(table, use.name, name_given, read.uses);
-    use.compare = read_comparisons(compare, probes);
+    use.compare = read_comparisons(compare, columns);
     if (use.compare.empty()) table.refuse_value("compare", "must name at least one series and its column");
 
-    const FileText file = text_of(use.file);
+    const FileText& file = files.text(use.file);
     if (!file.failure.empty()) table.refuse_value("file", "cannot be read: " + file.failure);
     const std::string shown_name = (std::filesystem::path(case_name).parent_path() / use.file).string();
-    Reference reference = read_reference({shown_name, file.text});
-    check_series(compare, use, reference, probes);
+    Reference reference = files.reference(use.file, shown_name);
+    check_series(compare, use, reference, columns);
 
     use.coverage = read_coverage(coverage, reference.times, use.file);
 

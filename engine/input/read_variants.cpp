@@ -2,6 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "engine/input/case_sections.h"
 #include "engine/input/changed_case.h"
@@ -96,20 +98,20 @@ Read read_variant(TableReader& table, const CaseWithOverrides& with) {
 }
 
 /// A distance is between the nodes of two variants.
-void check_distances(const std::vector<Read>& all, const Read& one) {
+void check_distances(const std::vector<Read>& all,
+                     const std::unordered_map<std::string, const Read*>& by_name, const Read& one) {
   for (std::size_t k = 0; k < one.variant.expectations.size(); ++k) {
     const std::string& from = one.variant.expectations[k].from;
     if (from.empty()) continue;
-    std::vector<std::string> others;
-    const Read* other = nullptr;
-    for (const Read& any : all) {
-      if (&any == &one) continue;
-      others.push_back(any.variant.name);
-      if (any.variant.name == from) other = &any;
-    }
+    const auto found = by_name.find(from);
+    const Read* other = found == by_name.end() || found->second == &one ? nullptr : found->second;
     const TableReader& table = one.expectations[k];
-    if (other == nullptr)
+    if (other == nullptr) {
+      std::vector<std::string> others;
+      for (const Read& any : all)
+        if (&any != &one) others.push_back(any.variant.name);
       table.refuse_value("from", "is the name of no other variant" + suggestion(from, others));
+    }
     if (other->spec.cable.elements != one.spec.cable.elements)
       table.refuse_value("from", fmt::format("has {} elements, this variant {}: their nodes are not the same",
                                              other->spec.cable.elements, one.spec.cable.elements));
@@ -120,14 +122,15 @@ void check_distances(const std::vector<Read>& all, const Read& one) {
 
 std::vector<VariantSpec> read_variants(std::vector<TableReader> tables, const CaseWithOverrides& with) {
   std::vector<Read> all;
+  std::unordered_set<std::string> names;
   for (TableReader& table : tables) {
     Read read = read_variant(table, with);
-    const auto same = [&](const Read& other) { return other.variant.name == read.variant.name; };
-    if (std::any_of(all.begin(), all.end(), same))
-      table.refuse_value("name", "is the name of another variant");
+    if (!names.insert(read.variant.name).second) table.refuse_value("name", "is the name of another variant");
     all.push_back(std::move(read));
   }
-  for (const Read& read : all) check_distances(all, read);
+  std::unordered_map<std::string, const Read*> by_name;
+  for (const Read& read : all) by_name.emplace(read.variant.name, &read);
+  for (const Read& read : all) check_distances(all, by_name, read);
   std::vector<VariantSpec> variants;
   for (Read& read : all) variants.push_back(std::move(read.variant));
   return variants;

@@ -14,6 +14,9 @@ namespace {
 
 using Kind = TomlValue::Kind;
 
+/// Of one list of numbers or words, and of one list of tables.
+constexpr std::size_t most_values = 1000, most_tables = 10'000;
+
 [[noreturn]] void refuse_kind(const TomlValue& value, const std::string& key, std::string_view expected) {
   refuse(value.place, key, value.written, fmt::format("must be {}, found {}", expected, words(value.kind)));
 }
@@ -158,6 +161,9 @@ const std::vector<TomlValue>* TableReader::find_list(std::string_view key, std::
   if (value->kind != Kind::array) refuse_kind(*value, full_key(key), expected);
   if (value->items.empty())
     refuse(value->place, full_key(key), value->written, fmt::format("must be {}, found none", expected));
+  if (value->items.size() > most_values)
+    refuse(value->place, full_key(key), value->written,
+           fmt::format("must be {} of at most {}, found {}", expected, most_values, value->items.size()));
   return &value->items;
 }
 
@@ -290,6 +296,10 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
   if (value == nullptr) return result;
   if (value->kind != Kind::array)
     refuse_kind(*value, full_key(key), fmt::format("a list of tables [[{}]]", key));
+  if (value->items.size() > most_tables)
+    refuse(
+        value->place, full_key(key), "",
+        fmt::format("at most {} tables [[{}]] are allowed, found {}", most_tables, key, value->items.size()));
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     result.emplace_back(value->items[i], fmt::format("{}.{}", full_key(key), i), parameters_);
   }

@@ -4,15 +4,19 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cctype>
+#include <new>
 #include <tuple>
 #include <utility>
+
+#include "engine/deep_stack.h"
+#include "engine/errors.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::size_t longest_written = 60;
-constexpr std::size_t most_key_parts = 100;
+constexpr std::size_t deepest = 100;
+constexpr std::ptrdiff_t most_in_a_text = 1'000'000;
 
 /// Finds the bytes of a text from the lines and columns that the parser gives, which count characters.
 class Lines {
@@ -26,17 +30,22 @@ class Lines {
 
   std::size_t offset(const toml::source_position& position) {
     if (position.line == 0 || position.line > starts_.size()) return text_.size();
-    // Values come mostly in the order of the text: going on from the last one keeps a long line from costing
-    // its square.
-    if (position.line != line_ || position.column < column_) {
+    if (position.line != line_) {
       line_ = position.line;
       column_ = 1;
       offset_ = starts_[line_ - 1];
     }
-    for (; column_ < position.column && offset_ < text_.size(); ++column_) {
-      ++offset_;
-      while (offset_ < text_.size() && (static_cast<unsigned char>(text_[offset_]) & 0xC0) == 0x80) ++offset_;
-    }
+    // Values come mostly in the order of the text, and a list before what is in it: going on from the last
+    // place, forth or back, keeps a long line from costing its square.
+    const auto within = [&] {
+      return offset_ < text_.size() && (static_cast<unsigned char>(text_[offset_]) & 0xC0) == 0x80;
+    };
+    for (; column_ < position.column && offset_ < text_.size(); ++column_) do
+        ++offset_;
+      while (within());
+    for (; column_ > position.column && offset_ > 0; --column_) do
+        --offset_;
+      while (offset_ > 0 && within());
     return offset_;
   }
 
@@ -52,32 +61,6 @@ class Lines {
   std::size_t offset_ = 0;
 };
 
-/// Where a dotted key of more than `most_key_parts` parts goes on, or npos. The parser makes a table of each
-/// part and takes them down by recursion, so that a key of some ten thousand parts would run out of stack.
-std::size_t find_endless_key(std::string_view text) {
-  std::size_t parts = 0;
-  bool in_part = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '#') {
-      i = std::min(text.find('\n', i), text.size() - 1);
-    } else if (c == '"' || c == '\'') {
-      const std::size_t end = text.find_first_of(c == '"' ? "\"\n" : "'\n", i + 1);
-      if (end != std::string_view::npos && text[end] == c) i = end;
-      in_part = true;
-    } else if (c == '.' && in_part) {
-      in_part = false;
-      if (++parts > most_key_parts) return i;
-    } else if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-') {
-      in_part = true;
-    } else if (c != ' ' && c != '\t') {
-      in_part = false;
-      parts = 0;
-    }
-  }
-  return std::string_view::npos;
-}
-
 std::string shortened(std::string_view text) {
   std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
   if (length > longest_written) {
@@ -92,14 +75,17 @@ class Converter {
  public:
   Converter(std::string_view name, std::string_view text) : name_(name), lines_(text) {}
 
-  TomlValue convert(const toml::node& node) {
+  TomlValue convert(const toml::node& node, std::size_t depth = 0) {
     TomlValue value;
     value.place = place(node.source());
+    if (depth > deepest)
+      refuse(value.place, "", "",
+             fmt::format("is more than {} tables or lists deep, which is not allowed", deepest));
     if (const toml::table* table = node.as_table()) {
       value.kind = TomlValue::Kind::table;
       value.items.reserve(table->size());
       for (const auto& [key, child] : *table) {
-        value.items.push_back(convert(child));
+        value.items.push_back(convert(child, depth + 1));
         value.items.back().key = key.str();
         value.items.back().key_place = place(key.source());
       }
@@ -114,7 +100,7 @@ class Converter {
     if (const toml::array* array = node.as_array()) {
       value.kind = TomlValue::Kind::array;
       value.items.reserve(array->size());
-      for (const toml::node& child : *array) value.items.push_back(convert(child));
+      for (const toml::node& child : *array) value.items.push_back(convert(child, depth + 1));
       const bool is_header = array->is_array_of_tables() && source.starts_with("[[");
       if (is_header) value.written.clear();
     } else if (const auto* string = node.as_string()) {
@@ -148,6 +134,50 @@ class Converter {
   std::string name_;
   Lines lines_;
 };
+
+/// What the parser says is wrong. At the first line that says anything, without what it found there: the file
+/// may be no TOML at all and was named by mistake.
+std::string description(const toml::parse_error& error, std::string_view body) {
+  std::string_view what = error.description();
+  const std::size_t first = body.find_first_not_of(" \t\r\n");
+  const auto before = body.substr(0, std::min(first, body.size()));
+  if (error.source().begin.line >
+      static_cast<toml::source_index>(std::count(before.begin(), before.end(), '\n')) + 1)
+    return std::string(what);
+  what = what.substr(0, what.find(", saw "));
+  return std::string(what.substr(0, what.find(": '")));
+}
+
+/// The stack that the parsed text may need to be taken apart, which the parser does by recursion, as it does
+/// when it finds a fault. Each level of tables and lists has a point or a bracket somewhere, whatever strings
+/// and comments have of them: too many may be counted, never too few. The points of one key are in one line,
+/// and the parser refuses more than 256 values within one another.
+std::size_t stack_for(std::string_view body) {
+  constexpr std::size_t most_nested = 256 + 2;
+  constexpr std::size_t bytes_a_node = 512, nodes_a_level = 2;  // of [[a]], a list and a table
+  std::size_t all = 0, in_line = 0, most_in_line = 0;
+  for (const char c : body) {
+    if (c == '\n') in_line = 0;
+    if (c != '.' && c != '[' && c != '{') continue;
+    ++all;
+    most_in_line = std::max(most_in_line, ++in_line);
+  }
+  return std::min(all, most_nested * (most_in_line + 1)) * nodes_a_level * bytes_a_node;
+}
+
+/// Takes apart what it makes on the stack that it is called on.
+TomlValue parsed(const std::string& name, std::string_view body) {
+  try {
+    const toml::table table = toml::parse(body);
+    TomlValue value = Converter(name, body).convert(table);
+    value.place = {name, 1, 1};
+    return value;
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    refuse({name, static_cast<int>(begin.line), static_cast<int>(begin.column)}, "", "",
+           fmt::format("not valid TOML: {}", description(error, body)));
+  }
+}
 
 }  // namespace
 
@@ -185,21 +215,16 @@ TomlValue parse_toml(const NamedText& text) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::string_view body = text.text;
   if (body.starts_with(byte_order_mark)) body.remove_prefix(byte_order_mark.size());
-  if (const std::size_t at = find_endless_key(body); at != std::string_view::npos) {
-    const auto line = std::count(body.begin(), body.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
-    refuse({text.name, static_cast<int>(line), 1}, "", "",
-           fmt::format("a key of more than {} parts is not allowed", most_key_parts));
-  }
+  const auto count = [&](char c) { return std::count(body.begin(), body.end(), c); };
+  if (count(',') + count('=') > most_in_a_text)
+    throw InputError(one_line(fmt::format("{}: holds more than {} values", text.name, most_in_a_text)));
+  TomlValue value;
   try {
-    const toml::table table = toml::parse(body);
-    TomlValue value = Converter(text.name, body).convert(table);
-    value.place = {text.name, 1, 1};
-    return value;
-  } catch (const toml::parse_error& error) {
-    const auto& begin = error.source().begin;
-    refuse({text.name, static_cast<int>(begin.line), static_cast<int>(begin.column)}, "", "",
-           fmt::format("not valid TOML: {}", error.description()));
+    on_deep_stack(stack_for(body), [&] { value = parsed(text.name, body); });
+  } catch (const std::bad_alloc&) {
+    throw InputError(one_line(fmt::format("{}: there is not enough memory for it", text.name)));
   }
+  return value;
 }
 
 }  // namespace plumb

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+
+#include "engine/input/file_text.h"
 
 namespace plumb {
 namespace {
@@ -28,11 +27,9 @@ std::string with_check_sum(std::string bytes) {
 }
 
 std::string read_checked(const std::string& path, const std::string& kind) {
-  const std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(std::strerror(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::string bytes = text.str();
+  FileText file = read_file_text(path, InputKind::run_file);
+  if (!file.failure.empty()) throw std::runtime_error(file.failure);
+  std::string bytes = std::move(file.text);
   const std::size_t ending = mark.size() + digits;
   if (bytes.size() < ending || bytes.compare(bytes.size() - ending, mark.size(), mark) != 0)
     throw std::runtime_error("it is no " + kind + ", or it was cut short");

@@ -1,12 +1,12 @@
 #include "engine/output/hdf5.h"
 
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
+
+#include "engine/output/hdf5_library_reader.h"
 
 namespace plumb::hdf5 {
 namespace {
@@ -61,7 +61,14 @@ Handle space_of(const std::vector<hsize_t>& shape) {
 }
 
 hsize_t count_of(const std::vector<hsize_t>& shape) {
-  return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+  // More than any memory holds, and few enough that no size in bytes overflows.
+  constexpr hsize_t most = hsize_t{1} << 48U;
+  hsize_t count = 1;
+  for (const hsize_t extent : shape) {
+    if (extent > 0 && count > most / extent) throw std::runtime_error("a data set in it is too large");
+    count *= extent;
+  }
+  return count;
 }
 
 /// The library does not bear that memory runs out within it: so much is asked for and given back before.
@@ -183,7 +190,7 @@ std::string Writer::bytes() {
   });
 }
 
-Reader::Reader(const std::string& bytes) {
+LibraryReader::LibraryReader(const std::string& bytes) {
   silence();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot open a file in memory");
   constexpr std::size_t growth = 1 << 20;
@@ -194,17 +201,17 @@ Reader::Reader(const std::string& bytes) {
   if (file_ < 0) throw std::runtime_error("it is no HDF5 file");
 }
 
-Reader::~Reader() {
+LibraryReader::~LibraryReader() {
   H5Fclose(file_);
 }
 
-bool Reader::has(const std::string& path) const {
+bool LibraryReader::has(const std::string& path) const {
   for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
     if (H5Lexists(file_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
   return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
 }
 
-Numbers Reader::numbers(const std::string& path) const {
+Numbers LibraryReader::numbers(const std::string& path) const {
   OpenSet opened = open(file_, path, H5T_FLOAT);
   Numbers result{std::move(opened.shape), {}};
   result.values.resize(count_of(result.shape));
@@ -214,19 +221,13 @@ Numbers Reader::numbers(const std::string& path) const {
   return result;
 }
 
-std::vector<double> Reader::numbers(const std::string& path, const std::vector<hsize_t>& shape) const {
+std::vector<double> LibraryReader::numbers(const std::string& path, const std::vector<hsize_t>& shape) const {
   if (open(file_, path, H5T_FLOAT).shape != shape)
     throw std::runtime_error("the data set " + path + " is not of the shape that the others call for");
   return numbers(path).values;
 }
 
-double Reader::number(const std::string& path) const {
-  const Numbers all = numbers(path);
-  if (all.values.size() != 1) throw std::runtime_error("the data set " + path + " is not one number");
-  return all.values.front();
-}
-
-std::vector<long> Reader::integers(const std::string& path) const {
+std::vector<long> LibraryReader::integers(const std::string& path) const {
   const OpenSet opened = open(file_, path, H5T_INTEGER);
   std::vector<long> values(count_of(opened.shape));
   if (!values.empty())
@@ -235,13 +236,7 @@ std::vector<long> Reader::integers(const std::string& path) const {
   return values;
 }
 
-long Reader::integer(const std::string& path) const {
-  const std::vector<long> all = integers(path);
-  if (all.size() != 1) throw std::runtime_error("the data set " + path + " is not one number");
-  return all.front();
-}
-
-std::vector<std::string> Reader::texts(const std::string& path) const {
+std::vector<std::string> LibraryReader::texts(const std::string& path) const {
   const OpenSet opened = open(file_, path, H5T_STRING);
   const Handle type = string_type(), space = space_of(opened.shape);
   std::vector<char*> pointers(count_of(opened.shape));
@@ -254,13 +249,7 @@ std::vector<std::string> Reader::texts(const std::string& path) const {
   return values;
 }
 
-std::string Reader::text(const std::string& path) const {
-  const std::vector<std::string> all = texts(path);
-  if (all.size() != 1) throw std::runtime_error("the data set " + path + " is not one text");
-  return all.front();
-}
-
-std::string Reader::bytes(const std::string& path) const {
+std::string LibraryReader::bytes(const std::string& path) const {
   const OpenSet opened = open(file_, path, H5T_INTEGER);
   if (opened.shape.size() != 1) throw std::runtime_error("the data set " + path + " is not a row of bytes");
   // What is packed may claim to be any size.
@@ -300,14 +289,14 @@ herr_t visit(hid_t, const char* name, const H5O_info_t* info, void* data) {
 
 }  // namespace
 
-std::vector<std::string> Reader::series() const {
+std::vector<std::string> LibraryReader::series() const {
   Visit found{file_, {}};
   require(H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_INC, visit, &found, H5O_INFO_BASIC),
           "its data sets cannot be listed");
   return found.paths;
 }
 
-std::vector<double> Reader::series_values(const std::string& path, hsize_t most) const {
+std::vector<double> LibraryReader::series_values(const std::string& path, hsize_t most) const {
   const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "the data set is missing");
   const Handle space(H5Dget_space(set), H5Sclose, path);
   hsize_t count = 0;
@@ -324,7 +313,7 @@ std::vector<double> Reader::series_values(const std::string& path, hsize_t most)
   return values;
 }
 
-std::string Reader::unit(const std::string& path) const {
+std::string LibraryReader::unit(const std::string& path) const {
   constexpr std::size_t longest = 100;
   const Handle set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "the data set is missing");
   if (H5Aexists(set, "unit") <= 0) return "";

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/output/confined_process.h"
+
 /// Small owning types around the C interface of HDF5: just the shapes that run files hold. Every failure
 /// throws std::runtime_error with the name of what failed; the library's own messages are silenced.
 namespace plumb::hdf5 {
@@ -46,13 +48,12 @@ struct Numbers {
   std::vector<double> values;
 };
 
+/// What is in a file. The library, which trusts what it reads, reads it in a confined process: whatever the
+/// file holds, it costs seconds and some memory at most, and then throws.
 class Reader {
  public:
-  /// From the bytes of a file, which must outlive the reader. Throws if they are no HDF5 file.
+  /// From the bytes of a file. Throws if they are no HDF5 file.
   explicit Reader(const std::string& bytes);
-  ~Reader();
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
 
   /// Whether there is a data set of that path; the group it is in may be missing too.
   bool has(const std::string& path) const;
@@ -77,7 +78,7 @@ class Reader {
   std::string unit(const std::string& path) const;
 
  private:
-  hid_t file_;
+  mutable ConfinedProcess process_;
 };
 
 }  // namespace plumb::hdf5

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/model/support_constraints.h"
 #include "engine/output/checked_file.h"
 #include "engine/output/given_probes.h"
@@ -194,12 +194,14 @@ Run read_run(const std::string& path) {
       throw std::runtime_error("its multipliers are not those of its supports");
     run.probes = probe(run.loaded.spec, run.trajectory);
     return run;
+  } catch (const Interrupted&) {
+    throw;
   } catch (const InputError& error) {
-    throw InputError(path + ": the case in it is invalid: " + error.what());
+    throw InputError(one_line(path + ": the case in it is invalid: " + error.what()));
   } catch (const std::bad_alloc&) {
-    throw InputError(path + ": cannot be used: it is too large for the memory at hand");
+    throw InputError(one_line(path) + ": cannot be used: it is too large for the memory at hand");
   } catch (const std::runtime_error& error) {
-    throw InputError(path + ": cannot be used: " + error.what());
+    throw InputError(one_line(path + ": cannot be used: " + reason(error)));
   }
 }
 

@@ -100,7 +100,7 @@ class Model {
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {
-      result.fault = fmt::format("threw: {}", one_line(error.what()));
+      result.fault = fmt::format("threw: {}", reason(error));
     }
     return result;
   }

@@ -6,7 +6,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/study/case_source_json.h"
 #include "engine/study/stability_json.h"
 

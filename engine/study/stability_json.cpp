@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "engine/input/parse_json.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/method_json.h"
 

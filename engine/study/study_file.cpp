@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/model/greatest_eigenfrequency.h"
 #include "engine/output/checked_file.h"
 #include "engine/output/hdf5.h"
@@ -344,12 +344,14 @@ Study read_study(const std::string& path) {
     result.mesh = read_mesh(file);
     evaluate(result);
     return study;
+  } catch (const Interrupted&) {
+    throw;
   } catch (const InputError& error) {
-    throw InputError(path + ": the case in it is invalid: " + error.what());
+    throw InputError(one_line(path + ": the case in it is invalid: " + error.what()));
   } catch (const std::bad_alloc&) {
-    throw InputError(path + ": cannot be used: it is too large for the memory at hand");
+    throw InputError(one_line(path) + ": cannot be used: it is too large for the memory at hand");
   } catch (const std::runtime_error& error) {
-    throw InputError(path + ": cannot be used: " + error.what());
+    throw InputError(one_line(path + ": cannot be used: " + reason(error)));
   }
 }
 

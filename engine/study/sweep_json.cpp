@@ -9,7 +9,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/case_source_json.h"
 
@@ -30,9 +30,9 @@ double number_of(const Json& json) {
 Sweep read(const std::string& text, const std::string& file) {
   const Json json = parse_json<Json>(text, file);
   if (json.at("kind") != "sweep") throw std::runtime_error("it is no sweep");
-  if (const int version = json.at("version"); version < 1 || version > sweep_version)
+  if (const int stored = json.at("version"); stored < 1 || stored > sweep_version)
     throw std::runtime_error(
-        fmt::format("its version is {}, this program reads up to {}", version, sweep_version));
+        fmt::format("its version is {}, this program reads up to {}", stored, sweep_version));
   Sweep sweep;
   sweep.loaded = load_case(case_source_from_json(json.at("case")));
   sweep.spec = {json.at("cases"), json.at("seed"), json.at("tolerance"), json.at("time_limit")};

@@ -8,7 +8,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/case_source_json.h"
 

@@ -5,7 +5,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/output_folder.h"
 #include "report/difference_page.h"

@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -14,8 +16,8 @@
 
 #include "engine/errors.h"
 #include "engine/input/nearest.h"
-#include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/message.h"
 #include "engine/output/file_writing.h"
 #include "render/environment.h"
 #include "report/program/limits.h"
@@ -73,6 +75,20 @@ CLI::Validator number_between(double low, double high) {
 /// An option that was given and says nothing was meant to say something: an unset variable of a script.
 std::string refuse_empty(const std::string& text) {
   return text.empty() ? "must not be empty" : "";
+}
+
+/// An error that names an option by its long name, with the short one where that was typed.
+std::string as_typed(std::string what, int count, const char* const* arguments) {
+  constexpr std::string_view long_name = "--output", short_name = "-o";
+  const std::vector<std::string_view> typed(arguments + 1, arguments + count);
+  const auto uses = [&](std::string_view name) {
+    return std::any_of(typed.begin(), typed.end(),
+                       [&](std::string_view word) { return word.starts_with(name); });
+  };
+  if (const std::size_t at = what.find(long_name);
+      at != std::string::npos && uses(short_name) && !uses(long_name))
+    what.replace(at, long_name.size(), short_name);
+  return what;
 }
 
 /// A word that is no verb where a verb should be is refused with the nearest verb.
@@ -257,7 +273,7 @@ int parse_and_act(int count, const char* const* arguments) {
   } catch (const CLI::ParseError& error) {
     // Help and version are "errors" with status 0.
     if (error.get_exit_code() == 0) return app.exit(error);
-    throw UsageError(std::string(error.what()) + " (see plumb --help)");
+    throw UsageError(as_typed(error.what(), count, arguments) + " (see plumb --help)");
   }
   if (!options.inputs.empty()) options.input = options.inputs.front();
   Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
@@ -292,8 +308,13 @@ int program(int count, const char* const* arguments) {
     return fail_for_memory();
   } catch (const std::length_error&) {
     return fail_for_memory();
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string path = error.path1().string();
+    return fail(fmt::format("{}: {}", path.empty() ? "a file" : path, reason(error)),
+                ExitStatus::output_failed);
   } catch (const std::exception& error) {
-    return fail(fmt::format("internal error: {}", error.what()), ExitStatus::output_failed);
+    return fail(fmt::format("{}: cannot go on: {}", count > 1 ? arguments[1] : "plumb", reason(error)),
+                ExitStatus::output_failed);
   }
 }
 

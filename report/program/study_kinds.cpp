@@ -10,7 +10,7 @@
 #include "engine/input/file_text.h"
 #include "engine/input/nearest.h"
 #include "engine/input/parse_json.h"
-#include "engine/input/place.h"
+#include "engine/message.h"
 #include "engine/study/economy_study_json.h"
 #include "engine/study/stability_file.h"
 

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "engine/message.h"
+
 namespace plumb {
 
 Talk::Talk(bool to_stderr, bool quiet)
@@ -29,7 +31,7 @@ void Talk::line(const std::string& text) {
 void Talk::remark(const std::string& text) {
   if (quiet_) return;
   end_progress();
-  std::fputs(("plumb: note: " + text + "\n").c_str(), stderr);
+  std::fputs(("plumb: note: " + one_line(text) + "\n").c_str(), stderr);
 }
 
 void Talk::progress(const std::string& what, double share) {

@@ -47,7 +47,8 @@ TEST(CaseFaults, AFileThatIsNotTomlIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"length = 2.0", "length = 99999999999999999999",
        "case.toml:6:30: not valid TOML: Error while parsing decimal integer: '99999999999999999999' is not "
        "representable in 64 bits"},
-      {"title = \"Small\"", many_parts, "case.toml:1:1: a key of more than 100 parts is not allowed"},
+      {"title = \"Small\"", many_parts,
+       "case.toml:1:201: is more than 100 tables or lists deep, which is not allowed"},
   });
 }
 

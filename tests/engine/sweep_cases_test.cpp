@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-Case with(const LoadedCase& loaded, const std::vector<std::string>& overrides) {
+Case case_with(const LoadedCase& loaded, const std::vector<std::string>& overrides) {
   CaseSource source = loaded.source;
   source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
   return load_case(source).spec;
@@ -20,7 +20,7 @@ Case with(const LoadedCase& loaded, const std::vector<std::string>& overrides) {
 
 TEST(SweepCases, DependOnSeedAndNumberAlone) {
   const LoadedCase loaded = tiny_sweep_case();
-  const Case model = with(loaded, model_overrides(loaded.spec, 7, 3));
+  const Case model = case_with(loaded, model_overrides(loaded.spec, 7, 3));
   EXPECT_EQ(model_overrides(loaded.spec, 7, 3), model_overrides(loaded.spec, 7, 3));
   EXPECT_NE(model_overrides(loaded.spec, 7, 3), model_overrides(loaded.spec, 7, 4));
   EXPECT_NE(model_overrides(loaded.spec, 7, 3), model_overrides(loaded.spec, 8, 3));
@@ -49,7 +49,7 @@ TEST(SweepCases, AreValidAndReachEveryMethodPairOfSupportsAndEnd) {
   constexpr long models = 120;
   for (long m = 0; m < models; ++m) {
     const std::vector<std::string> overrides = model_overrides(loaded.spec, 1, m);
-    const Case model = with(loaded, overrides);
+    const Case model = case_with(loaded, overrides);
     supports.emplace(model.supports.first, model.supports.last);
     reached("f", model.parameters.at("f"));
     reached("elements", model.cable.elements);
@@ -61,7 +61,7 @@ TEST(SweepCases, AreValidAndReachEveryMethodPairOfSupportsAndEnd) {
       std::vector<std::string> all = overrides;
       for (const std::string& text : method_overrides(loaded.spec, model, 1, m * runs_of_a_model + k))
         all.push_back(text);
-      const Case run = with(loaded, all);
+      const Case run = case_with(loaded, all);
       methods.insert(run.method.name);
       if (run.method.step) reached("step", *run.method.step / run.time.end);
       if (run.method.rtol) reached("rtol", *run.method.rtol);
@@ -92,7 +92,7 @@ TEST(SweepCases, TheFilesOwnMethodKeepsToItsKindOfSetting) {
     if (overrides.front() != "method.name=arkode-erk") continue;
     ++own;
     EXPECT_TRUE(overrides[1].starts_with("method.rtol=")) << overrides[1];
-    EXPECT_NO_THROW(with(loaded, overrides));
+    EXPECT_NO_THROW(case_with(loaded, overrides));
   }
   EXPECT_GT(own, 10);
 }
