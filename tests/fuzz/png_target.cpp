@@ -1,0 +1,53 @@
+#include "engine/errors.h"
+#include "render/apng.h"
+#include "render/image_difference.h"
+#include "render/png.h"
+#include "render/png_chunks.h"
+#include "tests/fuzz/mended_png.h"
+#include "tests/fuzz/target.h"
+
+namespace plumb::fuzz {
+namespace {
+
+bool feed_one(const std::string& bytes) {
+  bool accepted = reads<InputError>([&] {
+    const Image image = decode_png(bytes, "a.png");
+    const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    promise(image.width > 0 && image.height > 0 && image.rgb.size() == 3 * pixels,
+            "a picture without its pixels");
+    promise(image.alpha.empty() || image.alpha.size() == pixels, "opacities beside no pixels");
+    promise(difference(image, image, {}).identical(), "a picture differs from itself");
+    promise(decode_png(encode_png(image, {}, PngEffort::quick), "b.png").rgb == image.rgb,
+            "a picture changes as it is written");
+  });
+  accepted &= reads<InputError>([&] {
+    const std::vector<std::string> frames = split_apng(bytes, "a.png");
+    promise(!frames.empty(), "a picture of no frames");
+    for (const std::string& frame : frames) reads<InputError>([&] { decode_png(frame, "frame.png"); });
+    if (frames.size() > 1)
+      reads<InputError, OutputError>([&] {
+        promise(split_apng(join_apng(frames, 25), "b.png").size() == frames.size(),
+                "frames are lost as they are joined");
+      });
+    text_in_png(bytes, renderer_keyword, "a.png");
+  });
+  return accepted;
+}
+
+bool feed(std::string_view input) {
+  const std::string bytes(input), mended = mended_png(input);
+  const bool accepted = feed_one(bytes);
+  return mended == bytes ? accepted : feed_one(mended) || accepted;
+}
+
+std::vector<std::string> seeds() {
+  const std::string opaque = encode_png(small_image(3, 2, true, 0), {{"Renderer", "none"}});
+  return {opaque, encode_png(small_image(5, 1, false, 9)),
+          join_apng({{opaque, encode_png(small_image(3, 2, true, 90))}}, 25)};
+}
+
+}  // namespace
+
+const Target png_target{"png", feed, seeds};
+
+}  // namespace plumb::fuzz
