@@ -8,15 +8,15 @@ namespace plumb {
 namespace {
 
 /// Values of a method's parameter that are worth a curve each; the others keep their defaults.
-struct Variants {
+struct ParameterValues {
   std::string method;
   std::string parameter;
   std::string label;  ///< of a value
   std::vector<double> values;
 };
 
-const std::vector<Variants>& all_variants() {
-  static const std::vector<Variants> all{
+const std::vector<ParameterValues>& all_variants() {
+  static const std::vector<ParameterValues> all{
       {"arkode-erk", "order", "order {:g}", {3, 5, 8}},
       {"arkode-dirk", "order", "order {:g}", {3, 5}},
       {"generalized-alpha", "spectral_radius", "ρ∞ = {:g}", {1, 0.8, 0.5}},
@@ -92,7 +92,7 @@ std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyEx
     if (method == nullptr) continue;
     const MethodSpec plain = plain_method(*method);
     bool varied = false;
-    for (const Variants& variants : all_variants()) {
+    for (const ParameterValues& variants : all_variants()) {
       const MethodParameter* parameter = find_parameter(*method, variants.parameter);
       if (quick || variants.method != name || parameter == nullptr) continue;
       for (const double value : variants.values) {

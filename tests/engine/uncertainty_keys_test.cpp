@@ -17,7 +17,7 @@ std::string input(const std::string& lines) {
   return "[uncertainty]\nsamples = 10\n[[uncertainty.input]]\n" + lines;
 }
 
-void expect_refused(const std::vector<std::pair<std::string, std::string>>& faults) {
+void expect_uncertainty_refused(const std::vector<std::pair<std::string, std::string>>& faults) {
   for (const auto& [lines, says] : faults) {
     const CaseSource source = with_lines(lines);
     const std::string message = refusal(source);
@@ -65,7 +65,7 @@ TEST(UncertaintyKeys, AnEmptyTableAsksForTheNumericalPartAlone) {
 TEST(UncertaintyKeys, BadValuesAreRefusedWithPlaceAndWhatIsAllowed) {
   const std::string good = "key = \"cable.density\"\nspread = 1\nsource = \"x\"\n";
   ASSERT_EQ(refusal(with_lines(input(good))), "accepted");
-  expect_refused({
+  expect_uncertainty_refused({
       {"uncertainty = 1\n", "unknown key"},
       {"[uncertainty]\nnumerical = 1\n", "uncertainty.numerical = 1: must be"},
       {"[uncertainty]\nsamples = -1\n", "uncertainty.samples = -1: must be a whole number from 0 to 10000"},
