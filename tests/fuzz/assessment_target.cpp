@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "report/document.h"
 #include "tests/fuzz/target.h"
 #include "tests/report/made_assessment.h"

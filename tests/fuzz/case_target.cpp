@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
 #include "engine/input/case_source.h"
 #include "engine/input/uncertain_keys.h"
 #include "engine/study/case_source_json.h"

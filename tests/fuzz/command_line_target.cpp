@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "report/program/drawing_options.h"
 #include "report/program/verbs.h"
 #include "tests/fuzz/small_files.h"

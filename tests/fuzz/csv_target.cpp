@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "engine/input/csv.h"
 #include "engine/input/given_table.h"
 #include "tests/fuzz/small_files.h"

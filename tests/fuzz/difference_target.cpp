@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "render/apng.h"
 #include "render/png.h"
 #include "report/file_difference.h"

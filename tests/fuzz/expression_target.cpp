@@ -21,7 +21,7 @@ bool feed(std::string_view input) {
     return true;
   } catch (const ExpressionError& error) {
     promise(error.position() <= text.size(), "an error beyond the expression");
-    promise_message(error.what());
+    promise(error.what()[0] != '\0', "an error says nothing");
     return false;
   }
 }

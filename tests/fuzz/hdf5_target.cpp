@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "engine/input/given_table.h"
 #include "engine/output/hdf5.h"
 #include "tests/fuzz/target.h"

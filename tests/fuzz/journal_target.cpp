@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "engine/errors.h"
 #include "engine/study/study_journal.h"
 #include "tests/fuzz/target.h"
 

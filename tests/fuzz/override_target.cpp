@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "engine/input/override.h"
 #include "engine/input/value_text.h"
 #include "tests/fuzz/small_files.h"

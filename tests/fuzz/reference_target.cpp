@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "tests/fuzz/small_files.h"
 
 namespace plumb::fuzz {

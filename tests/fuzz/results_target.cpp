@@ -1,4 +1,3 @@
-#include "engine/errors.h"
 #include "report/changes.h"
 #include "report/document.h"
 #include "report/page.h"

@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
 #include "engine/study/economy_study_json.h"
 #include "engine/study/run_economy.h"
 #include "engine/study/stability_file.h"

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/errors.h"
+
 namespace plumb::fuzz {
 
 /// What a reader must keep whatever it is given, and did not.
@@ -23,8 +25,8 @@ void promise_finite(std::span<const double> values, const std::string& what);
 /// That an error is one line of UTF-8 without control characters, of bounded length.
 void promise_message(std::string_view message);
 
-/// Runs `read`. False where it refuses with one of the exceptions that it may throw, whose message is held to
-/// promise_message(); every other exception goes on.
+/// Runs `read`. False where it refuses with one of the exceptions that it may throw; every other one goes on.
+/// The message of an InputError is held to promise_message(): others are made one line where they are shown.
 template <class... Refusals, class Read>
 bool reads(const Read& read) {
   try {
@@ -32,7 +34,7 @@ bool reads(const Read& read) {
     return true;
   } catch (const std::exception& error) {
     if (!(... || (dynamic_cast<const Refusals*>(&error) != nullptr))) throw;
-    promise_message(error.what());
+    if (dynamic_cast<const InputError*>(&error) != nullptr) promise_message(error.what());
     return false;
   }
 }
