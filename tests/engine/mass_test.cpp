@@ -10,12 +10,12 @@
 namespace plumb {
 namespace {
 
-constexpr double mass_per_length = 0.3, l = 0.4;
-const ElementConstants element{.length = l, .mass_per_length = mass_per_length};
+constexpr double mass_of_a_metre = 0.3, l = 0.4;
+const ElementConstants element{.length = l, .mass_per_length = mass_of_a_metre};
 const Vec3 direction = Vec3(1, 2, -1).normalized();
 
 // Odd and even numbers of nodes, and the shortest chains, whose halves are empty.
-constexpr int lengths[] = {1, 2, 3, 4, 6, 9, 150};
+constexpr int element_counts[] = {1, 2, 3, 4, 6, 9, 150};
 
 Eigen::VectorXd random_vector(int elements, unsigned seed) {
   std::mt19937 generator(seed);
@@ -31,7 +31,7 @@ Eigen::MatrixXd integrated_mass(int elements) {
       const auto s = Hermite::values(p.x, l);
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-          M.block<3, 3>(6 * e + 3 * i, 6 * e + 3 * j).diagonal().array() += mass_per_length * l * p.weight *
+          M.block<3, 3>(6 * e + 3 * i, 6 * e + 3 * j).diagonal().array() += mass_of_a_metre * l * p.weight *
                                                                             s[static_cast<std::size_t>(i)] *
                                                                             s[static_cast<std::size_t>(j)];
     }
@@ -39,7 +39,7 @@ Eigen::MatrixXd integrated_mass(int elements) {
 }
 
 TEST(Mass, MultipliesAndMeasuresEnergyAsTheIntegralOfTheShapeFunctionProductsDoes) {
-  for (const int elements : lengths) {
+  for (const int elements : element_counts) {
     const MassMatrix mass(element, elements, SupportProjection({}, direction, elements + 1));
     const Eigen::MatrixXd M = integrated_mass(elements);
     const Eigen::VectorXd v = random_vector(elements, 1);
@@ -55,7 +55,7 @@ class MassWith : public testing::TestWithParam<SupportsSpec> {};
 
 // The acceleration a is admissible, and the supports take up only what they hold: P (M a − f) = 0.
 TEST_P(MassWith, SolvesForTheAdmissibleAcceleration) {
-  for (const int elements : lengths) {
+  for (const int elements : element_counts) {
     const SupportProjection supports(GetParam(), direction, elements + 1);
     const MassMatrix mass(element, elements, supports);
     const Eigen::MatrixXd M = integrated_mass(elements);
