@@ -1,12 +1,47 @@
 #pragma once
 
+#include <string>
+#include <utility>
+
 namespace plumb {
 
 /// Makes SIGINT, SIGTERM and SIGHUP ask the running work to stop instead of killing the program; a second one
-/// kills it. Writes to a closed pipe or beyond a file size limit fail instead of killing it.
+/// kills it. Work that does not stop by itself within some 0.4 s, as within a library, is ended from outside:
+/// what is Unfinished is removed, and the program exits with status 130. Writes to a closed pipe or beyond a
+/// file size limit fail instead of killing it.
 void catch_interrupts();
 
 /// Throws Interrupted if a stop was asked for. Cheap enough for every step and every frame.
 void stop_if_interrupted();
+
+/// Whether a stop was asked for.
+bool is_interrupted();
+
+/// Takes down a file or folder in the making, which is removed where the program is ended from outside, and
+/// strikes it out again.
+void begin_unfinished(const std::string& path);
+void end_unfinished(const std::string& path);
+
+/// A file in the making, while one of these exists.
+class Unfinished {
+ public:
+  explicit Unfinished(std::string path) : path_(std::move(path)) { begin_unfinished(path_); }
+  ~Unfinished() { end_unfinished(path_); }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+ private:
+  std::string path_;
+};
+
+/// While one exists the program is not ended from outside: for the moments in which something new takes the
+/// place of something old.
+class Undivided {
+ public:
+  Undivided();
+  ~Undivided();
+  Undivided(const Undivided&) = delete;
+  Undivided& operator=(const Undivided&) = delete;
+};
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "engine/errors.h"
+#include "render/apng_player.h"
 #include "render/png_chunks.h"
 
 namespace plumb {
@@ -87,30 +88,15 @@ std::string join_apng(std::span<const std::string> frames, double frame_rate) {
 }
 
 std::vector<std::string> split_apng(const std::string& bytes, const std::string& name) {
-  constexpr std::size_t sequence_size = 4, size_begin = 4, size_end = 12, place_end = 20;
-  std::string head(png_signature);
-  std::string_view size;
+  const PngFile file = read_png_file(bytes, name);
+  if (!file.says_animated) return {bytes};
+  if (file.frames.empty()) throw InputError(name + ": is said to be an animation and has no frames");
   std::vector<std::string> frames;
-  bool animated = false;
-  for (const PngChunk& chunk : png_chunks(bytes, name)) {
-    if (chunk.type == "IHDR") {
-      append_chunk(head, chunk.type, chunk.data);
-      size = chunk.data.substr(0, 8);
-    } else if (chunk.type == "acTL") {
-      animated = true;
-    } else if (chunk.type == "fcTL") {
-      if (chunk.data.size() < place_end || chunk.data.substr(size_begin, size_end - size_begin) != size ||
-          chunk.data.substr(size_end, place_end - size_end) != std::string_view("\0\0\0\0\0\0\0\0", 8))
-        throw InputError(fmt::format("{}: frame {} is but a part of the picture", name, frames.size() + 1));
-      frames.push_back(head);
-    } else if (chunk.type == "IDAT" && !frames.empty()) {
-      append_chunk(frames.back(), chunk.type, chunk.data);
-    } else if (chunk.type == "fdAT" && !frames.empty() && chunk.data.size() >= sequence_size) {
-      append_chunk(frames.back(), "IDAT", chunk.data.substr(sequence_size));
-    }
+  for (const PngFrame& frame : file.frames) {
+    if (!stands_alone(file, frame))
+      throw InputError(fmt::format("{}: frame {} is but a part of the picture", name, frames.size() + 1));
+    frames.push_back(png_of_frame(file, frame));
   }
-  if (!animated) return {bytes};
-  for (std::string& frame : frames) append_chunk(frame, "IEND", {});
   return frames;
 }
 

@@ -14,7 +14,8 @@ namespace plumb {
 std::string join_apng(std::span<const std::string> frames, double frame_rate);
 
 /// The frames of an animated PNG of that kind, each as a PNG file; of one that is not animated, itself.
-/// Throws InputError that names `name` on bad data, or for a frame that is but a part of the picture.
+/// Throws InputError that names `name` on bad data, for no frames, or for one that is but a part of the
+/// picture.
 std::vector<std::string> split_apng(const std::string& bytes, const std::string& name);
 
 }  // namespace plumb

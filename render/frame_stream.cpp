@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <future>
+#include <memory>
 
 #include "engine/interrupt.h"
 
@@ -27,11 +28,13 @@ void stream_frames(SceneRenderer& scene, const FrameRange& range, const PngTexts
     stop_if_interrupted();
     Image image = std::move(spare);
     scene.frame(k, image);
-    encoding.emplace_back(
-        k, std::async(std::launch::async, [image = std::move(image), &texts, effort]() mutable {
-          std::string png = encode_png(image, texts, effort);
-          return Encoded{std::move(png), std::move(image)};
-        }));
+    const auto encode = [image = std::make_shared<Image>(std::move(image)), &texts, effort] {
+      std::string png = encode_png(*image, texts, effort);
+      return Encoded{std::move(png), std::move(*image)};
+    };
+    // Where no thread is to be had the picture is encoded once it is asked for: by a copy of the function, as
+    // the attempt at a thread uses one up.
+    encoding.emplace_back(k, std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();
   }
   while (!encoding.empty()) take_first();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "render/png.h"
@@ -12,6 +13,9 @@ namespace plumb {
 struct FrameRange {
   int first = 0;
   int last = 0;
+
+  /// As `last`: to the end.
+  static constexpr int open_end = std::numeric_limits<int>::max() - 1;
 
   int count() const { return last - first + 1; }
 };

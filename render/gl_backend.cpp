@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <string_view>
+#include <vector>
 
 #include "engine/errors.h"
+#include "engine/input/nearest.h"
 
 namespace plumb {
 
@@ -22,8 +25,11 @@ GlBackendChoice GlBackendChoice::from_environment() {
   if (text.starts_with("egl:") && text.size() > 4 && text.size() < 8 &&
       text.find_first_not_of("0123456789", 4) == std::string::npos)
     return {GlBackendKind::egl, std::atoi(text.c_str() + 4)};
-  throw OutputError(fmt::format(
-      "PLUMB_GL={}: must be osmesa, egl, or egl:N for device N of those that plumb doctor lists", text));
+  const std::vector<std::string> known{"osmesa", "egl", "egl:0"};
+  const std::string_view near = nearest(text, known);
+  throw UsageError(fmt::format(
+      "PLUMB_GL={}: must be osmesa, egl, or egl:N for device N of those that plumb doctor lists{}", text,
+      near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
 }
 
 std::unique_ptr<GlBackend> make_gl_backend(const GlBackendChoice& choice) {

@@ -21,7 +21,7 @@ struct GlBackendChoice {
   int device = -1;  ///< of EGL, from 0; -1: the first that draws in software
 
   /// What the environment's PLUMB_GL asks for: "osmesa", "egl", or "egl:1" for a device. Nothing given:
-  /// OSMesa where its library is there, else EGL. Throws OutputError for anything else.
+  /// OSMesa where its library is there, else EGL. Throws UsageError for anything else.
   static GlBackendChoice from_environment();
 };
 

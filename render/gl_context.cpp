@@ -4,21 +4,37 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <future>
+#include <thread>
+#include <vector>
 
 #include "engine/errors.h"
+#include "render/environment.h"
 #include "render/gl.h"
 
 namespace plumb {
 
 namespace {
 
-void refuse_crashing_environment() {
-  // The driver would leave a cache of compiled shaders in the home folder.
-  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
-  const char* width = std::getenv("LP_NATIVE_VECTOR_WIDTH");
-  if (width != nullptr && std::strtol(width, nullptr, 10) >= 512)
-    throw OutputError(fmt::format(
-        "LP_NATIVE_VECTOR_WIDTH={}: the software renderer crashes with it; unset it or use 256", width));
+/// Whether so many threads can run at once.
+bool threads_can_be_had(unsigned count) {
+  std::promise<void> all_there;
+  const std::shared_future<void> end = all_there.get_future().share();
+  std::vector<std::jthread> threads;
+  bool there = true;
+  try {
+    for (unsigned k = 0; k < count; ++k) threads.emplace_back([end] { end.wait(); });
+  } catch (const std::exception&) {
+    there = false;
+  }
+  all_there.set_value();
+  return there;
+}
+
+/// The software renderer waits for ever for threads that it could not start; without any it draws in ours.
+void draw_with_threads_there_are() {
+  if (!threads_can_be_had(std::max(1U, std::thread::hardware_concurrency())))
+    ::setenv("LP_NUM_THREADS", "0", 1);
 }
 
 // What a driver that draws on the processor may use of it, which moves a lit pixel by a level here and there.
@@ -56,7 +72,10 @@ const char* error_name(GLenum error) {
 }  // namespace
 
 GlContext::GlContext(const GlBackendChoice& choice) {
-  refuse_crashing_environment();
+  check_environment();
+  draw_with_threads_there_are();
+  // The driver would leave a cache of compiled shaders in the home folder.
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   backend_ = make_gl_backend(choice);
   make_current();
 

@@ -27,7 +27,7 @@ struct GlInfo {
 /// it: every class that draws makes it current first.
 class GlContext {
  public:
-  /// Throws OutputError when no context can be had, or when the environment would crash the driver.
+  /// Throws OutputError when no context can be had, and UsageError where check_environment does.
   explicit GlContext(const GlBackendChoice& choice = GlBackendChoice::from_environment());
   ~GlContext();
   GlContext(const GlContext&) = delete;

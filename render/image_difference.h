@@ -19,7 +19,7 @@ struct ImageDifference {
   bool same_size = false;
   long changed = 0;    ///< pixels that differ at all
   long beyond = 0;     ///< pixels with a channel that differs by more than is allowed
-  int greatest = 0;    ///< levels, of any channel
+  int greatest = 0;    ///< levels, of any channel, on black or on white where they are not opaque
   double density = 0;  ///< greatest share of `beyond` in any window
   int x = 0, y = 0;    ///< upper left corner of that window
 
@@ -29,6 +29,7 @@ struct ImageDifference {
   }
 };
 
+/// Compares what is seen: a colour without opacity is none. Throws Interrupted, as the next does.
 ImageDifference difference(const Image& a, const Image& b, const DifferenceTolerance& tolerance);
 
 /// The second picture, faded, with what it has and the first has not in blue and what it lacks in red: of two

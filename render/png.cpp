@@ -4,9 +4,12 @@
 #include <png.h>
 
 #include <csetjmp>
+#include <new>
 
 #include "engine/errors.h"
+#include "engine/interrupt.h"
 #include "render/png_chunks.h"
+#include "render/png_pixels.h"
 
 namespace plumb {
 
@@ -19,11 +22,21 @@ constexpr int compression_level(PngEffort effort) {
   return effort == PngEffort::small ? 6 : 3;
 }
 constexpr int filters = PNG_FILTER_NONE;
-constexpr unsigned max_side = 32768;
 
 struct Sink {
   std::string bytes;
   std::string error;
+};
+
+/// What libpng keeps while it writes.
+struct Writer {
+  explicit Writer(png_structp made) : png(made) {}
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  png_structp png;
+  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
 };
 
 void write_bytes(png_structp png, png_bytep data, std::size_t size) {
@@ -47,7 +60,8 @@ void interleave(const Image& image, std::size_t row, std::vector<std::uint8_t>& 
   }
 }
 
-// Nothing in this function has a destructor, as libpng's errors jump out of what it calls. `rgba` has room
+// Nothing in this function has a destructor, as libpng's errors jump out of what it calls; what it throws
+// itself passes none of libpng. `rgba` has room
 // for a row where the picture has opacities.
 bool write(png_structp png, png_infop info, const Image& image, const std::vector<png_text>& texts,
            std::vector<std::uint8_t>& rgba, int level) {
@@ -63,6 +77,7 @@ bool write(png_structp png, png_infop info, const Image& image, const std::vecto
   png_write_info(png, info);
   const std::size_t stride = std::size_t{3} * static_cast<std::size_t>(image.width);
   for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
+    stop_if_interrupted();
     if (!rgba.empty()) interleave(image, row, rgba);
     png_write_row(png, rgba.empty() ? image.rgb.data() + row * stride : rgba.data());
   }
@@ -91,13 +106,11 @@ std::string encode_png(const Image& image, const PngTexts& texts, PngEffort effo
   }
 
   Sink sink;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, keep_error, keep_error);
-  if (png == nullptr) throw OutputError("PNG: libpng cannot be started");
-  png_infop info = png_create_info_struct(png);
-  png_set_write_fn(png, &sink, write_bytes, flush_nothing);
-  const bool written = info != nullptr && write(png, info, image, entries, rgba, compression_level(effort));
-  png_destroy_write_struct(&png, &info);
-  if (!written) throw OutputError("PNG: " + sink.error);
+  const Writer writer(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, keep_error, keep_error));
+  if (writer.info == nullptr) throw std::bad_alloc();
+  png_set_write_fn(writer.png, &sink, write_bytes, flush_nothing);
+  if (!write(writer.png, writer.info, image, entries, rgba, compression_level(effort)))
+    throw OutputError("PNG: " + sink.error);
   return std::move(sink.bytes);
 }
 
@@ -112,26 +125,7 @@ std::optional<std::string> text_in_png(std::string_view bytes, const std::string
 }
 
 Image decode_png(std::string_view bytes, const std::string& name) {
-  png_chunks(bytes, name);  // libpng alone takes a file without its end
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  const auto fail = [&]() {
-    const std::string reason = header.message;
-    png_image_free(&header);
-    throw InputError(fmt::format("{}: {}", name, reason));
-  };
-  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) fail();
-  if (header.width > max_side || header.height > max_side) {
-    png_image_free(&header);
-    throw InputError(fmt::format("{}: {} x {} pixels: at most {} a side can be read", name, header.width,
-                                 header.height, max_side));
-  }
-  header.format = PNG_FORMAT_RGB;
-  Image image{static_cast<int>(header.width), static_cast<int>(header.height), {}, {}};
-  image.rgb.resize(PNG_IMAGE_SIZE(header));
-  const png_color white{255, 255, 255};
-  if (png_image_finish_read(&header, &white, image.rgb.data(), 0, nullptr) == 0) fail();
-  return image;
+  return decode_still(read_png_file(bytes, name), name).image;
 }
 
 }  // namespace plumb

@@ -26,8 +26,9 @@ enum class PngEffort {
 /// same picture, texts and effort. Throws OutputError when the picture is empty or libpng refuses it.
 std::string encode_png(const Image& image, const PngTexts& texts = {}, PngEffort effort = PngEffort::small);
 
-/// The picture in the bytes of a PNG file of any kind, on white where it is transparent; of an animated one,
-/// its first frame. Throws InputError that names `name` on bad data or more than 32768 pixels a side.
+/// The still picture in the bytes of a PNG file of any kind, with 8 bits a channel and its opacities, in the
+/// file's own colour space. Throws InputError that names `name` on bad data or more pixels than are read,
+/// and Interrupted.
 Image decode_png(std::string_view bytes, const std::string& name);
 
 /// The text of a keyword in the bytes of a PNG file; nothing where it has none. Throws InputError that names

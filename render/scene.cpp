@@ -549,10 +549,13 @@ SceneRenderer::SceneRenderer(const GlContext& context, const Trajectory& traject
 
 SceneRenderer::~SceneRenderer() = default;
 
-int SceneRenderer::frame_count() const {
+int frame_count(double end, double frame_rate) {
   constexpr double most = 1e9;  // what an int holds
-  return 1 + static_cast<int>(std::min(
-                 most, std::floor(drawing_->motion().end() * drawing_->spec().frame_rate + end_tolerance)));
+  return 1 + static_cast<int>(std::min(most, std::floor(end * frame_rate + end_tolerance)));
+}
+
+int SceneRenderer::frame_count() const {
+  return plumb::frame_count(drawing_->motion().end(), drawing_->spec().frame_rate);
 }
 
 double SceneRenderer::frame_time(int k) const {

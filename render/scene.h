@@ -55,6 +55,9 @@ SceneInput scene_input(const Case& the_case);
 /// Another run of a case.
 SceneRun scene_run(const Case& the_case, const Trajectory& trajectory, std::string label);
 
+/// How many frames show a motion from 0 to `end` (s) at `frame_rate` (1/s); at least one, at most 1e9.
+int frame_count(double end, double frame_rate);
+
 /// Draws the moving cable: frames of an animation, or the picture at any time up to the last output.
 class SceneRenderer {
  public:

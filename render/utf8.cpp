@@ -43,4 +43,24 @@ std::u32string decode_utf8(std::string_view text) {
   return points;
 }
 
+void append_utf8(std::string& text, char32_t point) {
+  constexpr char32_t bits_of_a_byte = 6;
+  const auto follow = [&](char32_t from) { text += static_cast<char>(0x80U | ((point >> from) & 0x3FU)); };
+  if (point < 0x80) {
+    text += static_cast<char>(point);
+    return;
+  }
+  if (point < 0x800) {
+    text += static_cast<char>(0xC0U | (point >> bits_of_a_byte));
+  } else if (point < 0x10000) {
+    text += static_cast<char>(0xE0U | (point >> 2 * bits_of_a_byte));
+    follow(bits_of_a_byte);
+  } else {
+    text += static_cast<char>(0xF0U | (point >> 3 * bits_of_a_byte));
+    follow(2 * bits_of_a_byte);
+    follow(bits_of_a_byte);
+  }
+  follow(0);
+}
+
 }  // namespace plumb

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "report/page_template.h"
@@ -59,12 +61,14 @@ data override_rows(const Json& overrides) {
   return rows;
 }
 
-/// The greatest over the series; -1 where there is none.
+/// The greatest over the series, not a number where any of them is none; -1 where there is none.
 double greatest(const Json& run, const char* key) {
   double value = -1;
-  for (const Json& distance : run.at("distances"))
-    if (distance.contains(key) && distance.at(key).is_number())
-      value = std::max(value, distance.at(key).get<double>());
+  for (const Json& distance : run.at("distances")) {
+    if (!distance.contains(key)) continue;
+    if (!distance.at(key).is_number()) return std::numeric_limits<double>::quiet_NaN();
+    value = std::max(value, distance.at(key).get<double>());
+  }
   return value;
 }
 
@@ -75,9 +79,12 @@ std::string budget_in_words(const Json& budget) {
   if (const std::string why = text_of(budget, "left_out"); !why.empty())
     return fmt::format("No error budget of {}: {}.", reference, why);
   const std::string unit = budget.at("series").empty() ? "" : text_of(budget.at("series").front(), "unit");
-  const auto amount = [&](const Json& run, const char* key) {
+  const auto amount = [&](const Json& run, const char* key) -> std::string {
     const double value = greatest(run, key);
-    return value < 0 ? text_of(run, "outcome") : fmt::format("{:.2g} {}", value, unit);
+    if (std::isnan(value)) return std::string("no finite distance");
+    if (value >= 0) return fmt::format("{:.2g} {}", value, unit);
+    const std::string outcome = text_of(run, "outcome");
+    return outcome == "completed" ? std::string("not compared") : outcome;
   };
   std::string items;
   for (const Json& item : budget.at("items")) {

@@ -40,11 +40,26 @@ Json solve_json(const Run& run) {
   return json;
 }
 
+Json coverage_json(const Coverage& coverage) {
+  return {{"demanded", coverage.demanded},
+          {"compared", coverage.compared},
+          {"interpolated", coverage.interpolated},
+          {"first", coverage.first},
+          {"last", coverage.last},
+          {"longest_gap", coverage.longest_gap},
+          {"interpolation_error", coverage.interpolation_error},
+          {"share", coverage.share},
+          {"allowance", coverage.allowance},
+          {"lacking", coverage.lacking}};
+}
+
 Json verdict_json(const Verdict& verdict) {
-  return {{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
-          {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
-          {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
-          {"reason", verdict.reason}};
+  Json json{{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
+            {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
+            {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
+            {"reason", verdict.reason}};
+  if (verdict.coverage) json["coverage"] = coverage_json(*verdict.coverage);
+  return json;
 }
 
 Json method_json(const MethodSpec& method) {
@@ -81,6 +96,9 @@ Json case_json(const LoadedCase& loaded) {
   if (!reports_given_run(spec)) json["method"] = method_json(spec.method);
   if (!loaded.given_runs.empty()) json["given_runs"] = given_runs_json(loaded);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
+  json["probes"] = Json::array();
+  for (const ProbeSpec& probe : spec.probes)
+    json["probes"].push_back({{"name", probe.name}, {"at", probe.at}, {"quantity", word(probe.quantity)}});
   json["text"] = loaded.source.file.text;
   return json;
 }

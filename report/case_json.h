@@ -14,6 +14,8 @@ nlohmann::ordered_json solve_json(const Run& run);
 /// A case as it was understood: every key with its value in SI units, and the text it came from.
 nlohmann::ordered_json case_json(const LoadedCase& loaded);
 
+/// Of a verdict or a distance, with the keys of `Coverage`.
+nlohmann::ordered_json coverage_json(const Coverage& coverage);
 nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
 /// A method with all that it was given.

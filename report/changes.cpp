@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,6 +23,16 @@ void add(Document& changes, const std::string& what, const std::string& before, 
   if (before != now) changes.push_back({{"what", what}, {"before", before}, {"now", now}});
 }
 
+/// The same of numbers that `in_words` does not tell apart.
+std::string in_full(const Document& value) {
+  return value.is_null() || value.is_string() ? in_words(value) : value.dump();
+}
+
+void add_values(Document& changes, const std::string& what, const Document& before, const Document& now) {
+  const bool alike = in_words(before) == in_words(now);
+  add(changes, what, alike ? in_full(before) : in_words(before), alike ? in_full(now) : in_words(now));
+}
+
 /// The keys of two objects, those of `now` first.
 std::vector<std::string> keys_of(const Document& before, const Document& now) {
   std::vector<std::string> keys;
@@ -31,14 +42,23 @@ std::vector<std::string> keys_of(const Document& before, const Document& now) {
   return keys;
 }
 
+/// A list of objects as an object, so that its items are compared key by key.
+Document by_number(const Document& value) {
+  if (!value.is_array() || value.empty() || !value.front().is_object()) return value;
+  Document numbered = Document::object();
+  for (std::size_t k = 0; k < value.size(); ++k) numbered[std::to_string(k)] = value[k];
+  return numbered;
+}
+
 void compare_members(Document& changes, const std::string& prefix, const Document& before,
                      const Document& now) {
   for (const std::string& key : keys_of(before, now)) {
-    const bool had = before.contains(key), has = now.contains(key);
-    if (had && has && before[key].is_object() && now[key].is_object())
-      compare_members(changes, prefix + key + ".", before[key], now[key]);
-    else if (!had || !has || before[key] != now[key])
-      add(changes, prefix + key, had ? in_words(before[key]) : "–", has ? in_words(now[key]) : "–");
+    const Document was = before.contains(key) ? by_number(before[key]) : Document("–");
+    const Document is = now.contains(key) ? by_number(now[key]) : Document("–");
+    if (was.is_object() && is.is_object())
+      compare_members(changes, prefix + key + ".", was, is);
+    else if (was != is)
+      add_values(changes, prefix + key, was, is);
   }
 }
 
@@ -51,6 +71,11 @@ void compare_cases(Document& changes, Document before, Document now) {
     one->erase("file");
   }
   compare_members(changes, "", before, now);
+}
+
+bool all_numbers(const Document& list) {
+  return list.is_array() &&
+         std::all_of(list.begin(), list.end(), [](const Document& value) { return value.is_number(); });
 }
 
 std::string verdict_in_words(const Document& verdict) {
@@ -96,15 +121,20 @@ ProbeMove move_of(const std::string& column, const Document& before, const Docum
   const Document &values = probes[column].at("values"), &old_values = old_probes[column].at("values");
   if (old_probes[column].at("unit") != move.unit)
     move.unlike = "the earlier report has another unit";
-  else if (times != old_times || values.size() != old_values.size() || values.size() != times.size())
+  else if (times != old_times || !all_numbers(times))
     move.unlike = fmt::format("the earlier report has other output times ({}, this run {})", old_times.size(),
                               times.size());
+  else if (values.size() != times.size() || old_values.size() != times.size())
+    move.unlike = fmt::format("there are {} values in the earlier report and {} in this run at {} times",
+                              old_values.size(), values.size(), times.size());
+  else if (times.size() < 2)
+    move.unlike = "there is no output after the start, where every run is the same";
   if (!move.unlike.empty()) return move;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double a = number(old_values[i]), b = number(values[i]);
-    if (std::isnan(a) && std::isnan(b)) continue;
     move.largest = std::max(move.largest, std::abs(a));
     const double distance = std::abs(b - a);
+    // One that is not a number stays, and is a move wherever it stands.
     if (distance <= move.greatest || std::isnan(move.greatest)) continue;
     move.greatest = distance;
     move.time = number(times[i]);
@@ -121,6 +151,16 @@ std::vector<ProbeMove> probe_moves(const Document& before, const Document& now) 
   return moves;
 }
 
+Document case_differences(Document before, Document now) {
+  // Where a case is, what its text looks like and with which options it was given say nothing of what it is;
+  // what they bring about is in the other keys.
+  for (Document* one : {&before, &now})
+    for (const char* key : {"file", "text", "overrides"}) one->erase(key);
+  Document differences = Document::array();
+  compare_members(differences, "", before, now);
+  return differences;
+}
+
 Document changes_between(const Document& before, const Document& now) {
   Document changes = Document::array();
   add(changes, "outcome", in_words(before.at("outcome")), in_words(now.at("outcome")));
@@ -135,7 +175,7 @@ Document changes_between(const Document& before, const Document& now) {
   compare_cases(changes, before.at("case"), now.at("case"));
   for (const char* key : {"elements", "end_time", "steps", "rejected_steps", "force_evaluations",
                           "tangent_evaluations", "newton_iterations"})
-    add(changes, key, in_words(before.at("solve").at(key)), in_words(now.at("solve").at(key)));
+    add_values(changes, key, before.at("solve").at(key), now.at("solve").at(key));
   Document old_tools = before.at("provenance"), tools = now.at("provenance");
   for (Document* one : {&old_tools, &tools}) one->erase("made at");
   compare_members(changes, "", old_tools, tools);

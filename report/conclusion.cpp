@@ -28,7 +28,8 @@ std::string joined(const std::vector<std::string>& clauses) {
 std::vector<Verdict> verdicts_on(const std::string& reference, const std::vector<Verdict>& all) {
   std::vector<Verdict> found;
   for (const Verdict& verdict : all)
-    if (verdict.name.starts_with(reference + ": ") && verdict.status != VerdictStatus::not_run)
+    if (verdict.name.starts_with(reference + ": ") && verdict.status != VerdictStatus::not_run &&
+        verdict.kind != VerdictKind::regression)
       found.push_back(verdict);
   // A distance that is no number is worse than any.
   const auto share = [](const Verdict& v) {

@@ -21,15 +21,17 @@ constexpr std::size_t most_shown = 12;
 }  // namespace
 
 std::string headline(const std::vector<FileDifference>& files) {
-  long compared = 0, failed = 0, within = 0;
-  for (const FileDifference& file : files) {
-    if (file.sameness != Sameness::not_compared) ++compared;
-    if (fails(file.sameness)) ++failed;
-    if (file.sameness == Sameness::within) ++within;
-  }
+  const auto count = [&](auto&& counts) { return std::count_if(files.begin(), files.end(), counts); };
+  const auto failed = count([](const FileDifference&file) { return fails(file.sameness); }),
+             within = count([](const FileDifference&file) { return file.sameness == Sameness::within; });
+  const long all = compared(files);
+  if (all == 0)
+    return files.empty()
+               ? "There is nothing to compare: that is no agreement"
+               : fmt::format("Nothing in {} files can be compared: that is no agreement", files.size());
   const std::string rest = within > 0 ? fmt::format(", {} only within tolerance", within) : "";
-  if (failed > 0) return fmt::format("{} of {} files differ{}", failed, compared, rest);
-  return fmt::format("None of {} files differs{}", compared, rest);
+  if (failed > 0) return fmt::format("{} of {} files differ{}", failed, all, rest);
+  return fmt::format("None of {} files differs{}", all, rest);
 }
 
 std::string to_difference_page(const std::string& a, const std::string& b,
@@ -67,8 +69,7 @@ std::string to_difference_page(const std::string& a, const std::string& b,
   page["first"] = a;
   page["second"] = b;
   page["headline"] = headline(files);
-  page["good"] =
-      std::none_of(files.begin(), files.end(), [](const FileDifference& f) { return fails(f.sameness); });
+  page["good"] = !differs(files) && compared(files) > 0;
   page.set("rows", rows);
   page["left_out"] = left_out > 0
                          ? fmt::format("{} more pictures differ by less and are not shown.", left_out)

@@ -26,8 +26,9 @@ Json error_json(const SeriesError& error, const Run& run) {
           {"figure", series.figure},
           {"unit", error.unit},
           {"points", error.times.size()},
-          {"missed_points", error.missed},
-          {"interpolated_points", error.interpolated},
+          {"missed_points", error.coverage.demanded - error.coverage.compared},
+          {"interpolated_points", error.coverage.interpolated},
+          {"coverage", coverage_json(error.coverage)},
           {"max", error.max},
           {"max_time", error.max_time},
           {"rms", error.rms},
@@ -106,7 +107,8 @@ Document document_of(const Results& results, const Pictures& pictures) {
   json["outcome"] = word(results.outcome);
   json["outcome_reason"] = outcome_reason(results);
   json["complete"] = results.solved();
-  json["all_criteria_met"] = results.solved() && all_passed(results.verdicts);
+  // Where there is none, nothing is met.
+  json["all_criteria_met"] = results.solved() && !results.verdicts.empty() && all_passed(results.verdicts);
   json["verdicts"] = Json::array();
   for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));
   json["solve"] = solve_json(run);

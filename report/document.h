@@ -24,7 +24,8 @@ Document read_document(const std::string& path);
 /// The verdicts of a document, in its order.
 std::vector<Verdict> verdicts_of(const Document& document);
 
-/// What was drawn, with the pictures' bytes read from `folder`. Throws InputError where one is missing.
+/// What was drawn, with the pictures' bytes read from `folder`. Throws InputError where one is missing, is no
+/// PNG file, or is not in that folder.
 Pictures pictures_of(const Document& document, const std::string& folder);
 
 /// junit.xml: a suite for the integration and one for each kind of verdict, a test case a criterion.

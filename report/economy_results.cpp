@@ -41,30 +41,42 @@ Verdict verdict_of(VerdictKind kind, const std::string& name, const std::string&
 void judge_need(const EconomyStudy& study, const SceneNeed& need, std::vector<Verdict>& verdicts) {
   const Economy& economy = need.economy;
   const TriedRung* choice = economy.choice();
-  const bool known = choice != nullptr && choice->true_error >= 0 && need.certified;
+  const bool known = choice != nullptr && choice->true_error >= 0 && need.certified &&
+                     need.reference_doubt >= 0 && std::isfinite(need.reference_doubt);
   Verdict truth = verdict_of(
       VerdictKind::verification, need.name + ": truth",
       fmt::format("true distance on the picture ≤ {:g} px", economy.tolerance),
       known ? choice->true_error : -1, economy.tolerance, "px",
-      known && choice->true_error <= economy.tolerance,
+      known && within(choice->true_error, economy.tolerance),
       known ? fmt::format("{} by {}, estimated {}", pixels_in_words(choice->true_error),
                           in_words(choice->rung), pixels_in_words(choice->estimate))
             : fmt::format("the reference may be off by {}", pixels_in_words(need.reference_doubt)));
   if (!known) truth.status = VerdictStatus::not_run;
   verdicts.push_back(std::move(truth));
   const double worst = need.worst_ratio();
-  verdicts.push_back(verdict_of(
+  Verdict estimates = verdict_of(
       VerdictKind::verification, need.name + ": estimates",
       fmt::format("true error ≤ {:g} × its estimate, beyond the doubt of the reference", economy_safety),
       worst, economy_safety, "1", worst <= economy_safety,
-      fmt::format("{:.2f} at most, over {}", worst, counted(std::ssize(economy.tried), "rung", "rungs"))));
+      fmt::format("{:.2f} at most, over {}", worst, counted(need.proven_rungs(), "rung", "rungs")));
+  if (need.proven_rungs() == 0) {
+    estimates.status = VerdictStatus::not_run;
+    estimates.value = -1;
+    estimates.detail = estimates.message = "no rung has both an estimate and a true error";
+  }
+  verdicts.push_back(std::move(estimates));
   if (need.scene.size[0] > narrow) return;
   const double ratio = cost_ratio(study, need);
-  verdicts.push_back(verdict_of(VerdictKind::performance, need.name + ": cost",
-                                fmt::format("safe default costs ≥ {:g} times as much", least_ratio), ratio,
-                                least_ratio, "1", ratio >= least_ratio,
-                                fmt::format("{:.0f} times: {:.3g} ms instead of {:.3g} s", ratio,
-                                            1e3 * need.seconds, study.safe_seconds)));
+  Verdict cost = verdict_of(VerdictKind::performance, need.name + ": cost",
+                            fmt::format("safe default costs ≥ {:g} times as much", least_ratio), ratio,
+                            least_ratio, "1", ratio >= least_ratio,
+                            fmt::format("{:.0f} times: {:.3g} ms instead of {:.3g} s", ratio,
+                                        1e3 * need.seconds, study.safe_seconds));
+  if (ratio < 0) {
+    cost.status = VerdictStatus::not_run;
+    cost.detail = cost.message = "what it costs was not measured";
+  }
+  verdicts.push_back(std::move(cost));
 }
 
 struct Counts {
@@ -91,13 +103,14 @@ const SceneNeed* own_picture(const EconomyStudy& study) {
 }
 
 double met_share(const Counts& counts) {
-  return counts.hold > 0 ? 1 - static_cast<double>(counts.missed) / static_cast<double>(counts.hold) : 1;
+  return counts.hold > 0 ? 1 - static_cast<double>(counts.missed) / static_cast<double>(counts.hold) : 0;
 }
 
 }  // namespace
 
 double cost_ratio(const EconomyStudy& study, const SceneNeed& need) {
   if (!(need.seconds > 0) || !(study.safe_seconds > 0)) return -1;
+  if (!std::isfinite(need.seconds) || !std::isfinite(study.safe_seconds)) return -1;
   return study.safe_seconds / need.seconds;
 }
 
@@ -107,13 +120,19 @@ EconomyResults evaluate_economy(const EconomyStudy& study, const Stages& stages)
   if (study.scenes.empty()) return results;
   const Counts counts = counts_of(study);
   const double share = met_share(counts);
-  results.verdicts.push_back(
+  Verdict scenes =
       verdict_of(VerdictKind::verification, "random scenes",
                  fmt::format("true error ≤ tolerance in ≥ {:g} % of the scenes where a rung is said to hold",
                              100 * least_share),
-                 100 * share, 100 * least_share, "%", share >= least_share && counts.hold > 0,
+                 100 * share, 100 * least_share, "%", share >= least_share,
                  fmt::format("{:.1f} %: {} of {} missed; in {} no rung is said to hold", 100 * share,
-                             counts.missed, counts.hold, std::ssize(study.scenes) - counts.hold)));
+                             counts.missed, counts.hold, std::ssize(study.scenes) - counts.hold));
+  if (counts.hold == 0) {
+    scenes.status = VerdictStatus::not_run;
+    scenes.value = -1;
+    scenes.detail = scenes.message = "in none of the scenes a rung is said to hold";
+  }
+  results.verdicts.push_back(std::move(scenes));
   return results;
 }
 
@@ -204,7 +223,7 @@ std::string to_summary(const EconomyResults& results) {
                   escape_markdown(headline(results)));
   text += verdict_table(results.verdicts);
   for (const std::string& line : need_lines(results.study)) {
-    const std::string item = "\n-" + escape_markdown(line).substr(1);
+    const std::string item = "\n-" + escape_markdown(line.substr(1));
     if (text.size() + item.size() < most) text += item;
   }
   return text + "\n";

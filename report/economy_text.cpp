@@ -97,13 +97,16 @@ Verdict economy_verdict(const Economy& economy) {
   verdict.unit = "px";
   verdict.reason = "What a viewer can tell is scene.tolerance; the factor is for what an estimate may miss.";
   const TriedRung* choice = economy.choice();
-  if (choice == nullptr || choice->estimate < 0) {
+  if (choice == nullptr || !(choice->estimate >= 0)) {
     verdict.detail = verdict.message = "its error could not be estimated: uncertain is " + economy.uncertain;
     return verdict;
   }
   verdict.value = economy_safety * choice->estimate;
-  verdict.status = economy.holds ? VerdictStatus::passed : VerdictStatus::failed;
-  verdict.detail = economy.holds ? "over all frames" : "uncertain is " + economy.uncertain;
+  // An earlier search that was kept may say what its own numbers do not.
+  const bool holds = economy.holds && within(verdict.value, verdict.limit);
+  verdict.status = holds ? VerdictStatus::passed : VerdictStatus::failed;
+  verdict.detail =
+      holds || economy.uncertain.empty() ? "over all frames" : "uncertain is " + economy.uncertain;
   verdict.message = fmt::format("{} {}", pixels_in_words(verdict.value), verdict.detail);
   return verdict;
 }

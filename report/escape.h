@@ -5,11 +5,15 @@
 
 namespace plumb {
 
-/// Text for XML and HTML, as content or in a quoted attribute: & < > " ' become entities, and control
-/// characters that XML 1.0 forbids become the replacement character.
+/// Text for XML and HTML, as content or in a quoted attribute: & < > " ' become entities, and controls, what
+/// is no character, and bytes that are no UTF-8 become the replacement character.
 std::string escape_xml(std::string_view text);
 
-/// Text for a cell of a Markdown table: on one line, with nothing that Markdown or HTML would act on.
+/// Text for a paragraph or a cell of a table in Markdown: on one line, with nothing that Markdown or HTML
+/// would act on; what is no text is replaced as above.
 std::string escape_markdown(std::string_view text);
+
+/// Text as code in Markdown, on one line.
+std::string markdown_code(std::string_view text);
 
 }  // namespace plumb

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/output/known_time.h"
 #include "render/markup.h"
 #include "report/ending_mark.h"
 #include "report/field_figures.h"
@@ -104,10 +105,25 @@ const ReferenceSeries& reference_of(const Run& run, const SeriesError& error) {
   return *run.loaded.references[error.reference].find(error.series);
 }
 
-Extent uncertainty_of(const Run& run, const SeriesError& error) {
+/// Rows of a reference within the time of the run: what is drawn of it, whether it can be compared or not.
+std::vector<std::size_t> shown_rows(const Run& run, const SeriesError& error) {
+  const std::vector<double>& times = run.loaded.references[error.reference].times;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < times.size(); ++row)
+    if (known_time(run.probes.times, times[row])) rows.push_back(row);
+  return rows;
+}
+
+std::vector<double> at_rows(const std::vector<double>& all, const std::vector<std::size_t>& rows) {
+  std::vector<double> some;
+  for (const std::size_t row : rows) some.push_back(all[row]);
+  return some;
+}
+
+Extent uncertainty_of(const Run& run, const SeriesError& error, const std::vector<double>& values) {
   const double half = reference_of(run, error).uncertainty;
   Extent extent;
-  for (const double value : error.expected) {
+  for (const double value : values) {
     extent.lower.push_back(value - half);
     extent.upper.push_back(value + half);
   }
@@ -176,14 +192,21 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   std::vector<const SeriesError*> compared;
   const SeriesError* of_y = find_error(run, errors, spec, spec.y);
   const SeriesError* of_x = find_error(run, errors, spec, spec.x);
-  if (of_y && !of_y->times.empty() && (of_x || spec.x == "t")) {
+  std::vector<double> shown_times;
+  if (of_y && (of_x || spec.x == "t")) {
     const Reference& reference = run.loaded.references[of_y->reference];
-    panel.series.push_back(points(reference.kind == ReferenceKind::published ? "published" : "computed",
-                                  of_x ? of_x->expected : of_y->times, of_y->expected));
-    panel.series.back().y_error = uncertainty_of(run, *of_y);
-    if (of_x) panel.series.back().x_error = uncertainty_of(run, *of_x);
-    if (of_x) compared.push_back(of_x);
-    compared.push_back(of_y);
+    const std::vector<std::size_t> rows = shown_rows(run, *of_y);
+    shown_times = at_rows(reference.times, rows);
+    const std::vector<double> ys = at_rows(reference_of(run, *of_y).values, rows);
+    const std::vector<double> xs = of_x ? at_rows(reference_of(run, *of_x).values, rows) : shown_times;
+    if (!rows.empty()) {
+      panel.series.push_back(
+          points(reference.kind == ReferenceKind::published ? "published" : "computed", xs, ys));
+      panel.series.back().y_error = uncertainty_of(run, *of_y, ys);
+      if (of_x) panel.series.back().x_error = uncertainty_of(run, *of_x, xs);
+    }
+    for (const SeriesError* error : {of_x, of_y})
+      if (error != nullptr && !error->times.empty()) compared.push_back(error);
   }
 
   add_given_runs(run, spec, panel);
@@ -192,7 +215,7 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   figure.times.push_back({spec.x == "t", {}});
   if (spec.x != "t") {
     figure.times.back().of_points.push_back(run.probes.times);
-    if (!compared.empty()) figure.times.back().of_points.push_back(of_y->times);
+    if (!shown_times.empty()) figure.times.back().of_points.push_back(shown_times);
   }
   figure.name = spec.name;
   figure.title = title_of(run, spec.title.empty() ? spec.name : spec.title);

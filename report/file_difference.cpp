@@ -2,108 +2,78 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "engine/errors.h"
-#include "render/apng.h"
-#include "render/png.h"
+#include "engine/input/parse_json.h"
 #include "report/number_difference.h"
+#include "report/picture_difference.h"
 
 namespace plumb {
 namespace {
 
-std::string in_words(const ImageDifference& found, const DifferenceTolerance& tolerance) {
-  if (found.identical()) return "the same pixels";
-  return fmt::format(
-      "{} pixels differ, by up to {} levels; {} by more than {}, at most {:.3g} % of a window of {} pixels, "
-      "at "
-      "({}, {}); {:.3g} % are allowed",
-      found.changed, found.greatest, found.beyond, tolerance.channel, 100 * found.density, difference_window,
-      found.x, found.y, 100 * tolerance.density);
+FileDifference nothing_in(const std::string& what) {
+  return {{}, Sameness::not_compared, -1, what, {}, {}, {}};
 }
 
-/// The worse of two outcomes of pictures.
-Sameness judge(const ImageDifference& found, const DifferenceTolerance& tolerance, bool to_the_byte) {
-  if (found.identical()) return Sameness::identical;
-  return !to_the_byte && found.within(tolerance) ? Sameness::within : Sameness::different;
+FileDifference compare_numbers(const std::string& a, const std::string& name_a, const std::string& b,
+                               const std::string& name_b, const DifferenceOptions& options) {
+  const NumberDifference found = number_difference(a, name_a, b, name_b);
+  if (!found.unlike.empty()) return {{}, Sameness::different, -1, found.unlike, {}, {}, {}};
+  if (found.numbers == 0) return nothing_in("there are no numbers in them");
+  if (found.differing == 0) return {{}, Sameness::identical, 0, "the same numbers", {}, {}, {}};
+  const bool within = std::isfinite(found.greatest) && found.greatest <= options.numbers;
+  return {{},
+          within ? Sameness::within : Sameness::different,
+          found.greatest,
+          fmt::format("{:.3g} of the largest, {:.3g} is allowed; {}", found.greatest, options.numbers,
+                      found.where),
+          {},
+          {},
+          {}};
 }
 
-FileDifference compare_pictures(const std::string& name, const std::string& a, const std::string& b,
-                                const DifferenceOptions& options) {
-  FileDifference result{name, Sameness::identical, 0, "the same pixels", {}, {}, {}};
-  const DifferenceTolerance defaults;
-  const DifferenceTolerance tolerance{options.channel.value_or(defaults.channel),
-                                      options.density.value_or(defaults.density)};
-  const auto drawn_by = text_in_png(a, renderer_keyword, name);
-  const bool same_renderer = drawn_by && drawn_by == text_in_png(b, renderer_keyword, name);
-  const bool to_the_byte = same_renderer && !options.channel && !options.density;
-  const std::vector<std::string> first = split_apng(a, name), second = split_apng(b, name);
-  if (first.size() != second.size()) {
-    result.sameness = Sameness::different;
-    result.in_words = fmt::format("{} and {} frames", first.size(), second.size());
-    return result;
-  }
-  for (std::size_t k = 0; k < first.size(); ++k) {
-    if (first[k] == second[k]) continue;
-    const Image one = decode_png(first[k], name), other = decode_png(second[k], name);
-    const ImageDifference found = difference(one, other, tolerance);
-    const Sameness sameness = judge(found, tolerance, to_the_byte);
-    if (sameness == Sameness::identical) continue;
-    const bool worse = result.sameness == Sameness::identical ||
-                       (sameness == Sameness::different && result.sameness == Sameness::within) ||
-                       (sameness == result.sameness && found.density > result.number);
-    if (!worse) continue;
-    result.sameness = sameness;
-    result.number = found.density;
-    result.in_words = found.same_size ? in_words(found, tolerance)
-                                      : fmt::format("{} x {} and {} x {} pixels", one.width, one.height,
-                                                    other.width, other.height);
-    if (first.size() > 1) result.in_words = fmt::format("frame {}: {}", k, result.in_words);
-    if (to_the_byte) result.in_words += "; the same renderer must give the same bytes";
-    result.first = first[k];
-    result.second = second[k];
-    result.marks = found.same_size ? encode_png(difference_image(one, other, tolerance)) : std::string();
-  }
-  return result;
-}
+/// The outcome and the status of each verdict, by name, of a results.json and of the reports it lists.
+using Statuses = std::map<std::string, std::string>;
 
-FileDifference compare_numbers(const std::string& name, const std::string& a, const std::string& b,
-                               const DifferenceOptions& options) {
-  FileDifference result{name, Sameness::identical, 0, "the same numbers", {}, {}, {}};
-  const NumberDifference found = number_difference(a, name, b, name);
-  if (!found.unlike.empty()) {
-    result.sameness = Sameness::different;
-    result.number = -1;
-    result.in_words = found.unlike;
-  } else if (found.greatest > 0) {
-    result.sameness = found.greatest <= options.numbers ? Sameness::within : Sameness::different;
-    result.number = found.greatest;
-    result.in_words = fmt::format("{:.3g} of the largest, {:.3g} is allowed; {}", found.greatest,
-                                  options.numbers, found.where);
-  }
-  return result;
-}
-
-/// Verdicts by name, and the outcome, of a results.json.
-std::map<std::string, std::string> verdicts_in(const std::string& text, const std::string& name) {
-  const auto json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object()) throw InputError(name + ": is no JSON object");
-  std::map<std::string, std::string> result;
-  const auto text_of = [](const nlohmann::json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
+void add_statuses(const nlohmann::json& json, const std::string& prefix, Statuses& all) {
+  const auto text_of = [](const nlohmann::json& object, const char* key) -> std::string {
+    const auto found = object.find(key);
+    if (found == object.end()) return "none";
+    return found->is_string() ? found->get<std::string>() : found->is_boolean() ? found->dump() : "no text";
   };
-  if (json.contains("outcome")) result["outcome"] = text_of(json["outcome"]);
-  if (json.contains("verdicts") && json["verdicts"].is_array())
-    for (const auto& verdict : json["verdicts"])
-      if (verdict.is_object() && verdict.contains("name") && verdict.contains("status"))
-        result[text_of(verdict["name"])] = text_of(verdict["status"]);
-  return result;
+  const auto add = [&](const std::string& name, const std::string& status) {
+    std::string key = name;
+    // Verdicts of one name are told apart by their order.
+    for (int number = 2; !all.emplace(key, status).second; ++number)
+      key = fmt::format("{} ({})", name, number);
+  };
+  for (const char* key : {"outcome", "all_criteria_met"})
+    if (json.contains(key)) add(prefix + key, text_of(json, key));
+  if (const auto verdicts = json.find("verdicts"); verdicts != json.end() && verdicts->is_array())
+    for (const auto& verdict : *verdicts)
+      if (verdict.is_object()) add(prefix + text_of(verdict, "name"), text_of(verdict, "status"));
+  if (const auto reports = json.find("reports"); reports != json.end() && reports->is_array())
+    for (const auto& report : *reports)
+      if (report.is_object()) add_statuses(report, prefix + text_of(report, "folder") + ": ", all);
 }
 
-FileDifference compare_verdicts(const std::string& name, const std::string& a, const std::string& b) {
-  FileDifference result{name, Sameness::identical, -1, "the same verdicts", {}, {}, {}};
-  const auto first = verdicts_in(a, name), second = verdicts_in(b, name);
+Statuses statuses_in(const std::string& text, const std::string& name) {
+  const auto json = parse_json<nlohmann::json>(text, name);
+  if (!json.is_object()) throw InputError(name + ": is no JSON object");
+  Statuses all;
+  add_statuses(json, "", all);
+  return all;
+}
+
+FileDifference compare_verdicts(const std::string& a, const std::string& name_a, const std::string& b,
+                                const std::string& name_b) {
+  const Statuses first = statuses_in(a, name_a), second = statuses_in(b, name_b);
+  if (first.empty() && second.empty()) return nothing_in("there are no verdicts in them");
   std::string changes;
   const auto add = [&](const std::string& what, const std::string& before, const std::string& now) {
     changes += fmt::format("{}{}: {} → {}", changes.empty() ? "" : "; ", what, before, now);
@@ -115,10 +85,25 @@ FileDifference compare_verdicts(const std::string& name, const std::string& a, c
       add(what, before, now->second);
   for (const auto& [what, now] : second)
     if (!first.contains(what)) add(what, "not there", now);
-  if (changes.empty()) return result;
-  result.sameness = Sameness::different;
-  result.in_words = changes;
-  return result;
+  if (changes.empty()) return {{}, Sameness::identical, -1, "the same verdicts", {}, {}, {}};
+  return {{}, Sameness::different, -1, changes, {}, {}, {}};
+}
+
+FileDifference compare_contents(Comparing how, const std::string& a, const std::string& name_a,
+                                const std::string& b, const std::string& name_b,
+                                const DifferenceOptions& options) {
+  switch (how) {
+    case Comparing::pictures:
+      return compare_pictures(a, name_a, b, name_b, options);
+    case Comparing::numbers:
+      return compare_numbers(a, name_a, b, name_b, options);
+    case Comparing::verdicts:
+      return compare_verdicts(a, name_a, b, name_b);
+    case Comparing::bytes:
+    case Comparing::nothing:
+      break;
+  }
+  return {};
 }
 
 }  // namespace
@@ -148,17 +133,54 @@ bool fails(Sameness sameness) {
          sameness != Sameness::not_compared;
 }
 
+bool differs(const std::vector<FileDifference>& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [](const FileDifference& file) { return fails(file.sameness); });
+}
+
+long compared(const std::vector<FileDifference>& files) {
+  return std::count_if(files.begin(), files.end(),
+                       [](const FileDifference& file) { return file.sameness != Sameness::not_compared; });
+}
+
+Comparing comparing(const std::string& name) {
+  // They hold times, paths, or what follows from those.
+  constexpr std::array unlike{"run.h5",     "study.h5",  "study.json", "choice.json",  "assessment.json",
+                              "index.html", "junit.xml", "summary.md", "manifest.json"};
+  const std::string file = name.substr(name.rfind('/') + 1);
+  if (file.ends_with(".png")) return Comparing::pictures;
+  if (file.ends_with(".csv")) return Comparing::numbers;
+  if (file == "results.json") return Comparing::verdicts;
+  const bool differs = std::find(unlike.begin(), unlike.end(), file) != unlike.end();
+  return differs ? Comparing::nothing : Comparing::bytes;
+}
+
+FileDifference by_bytes(const std::string& name, bool same) {
+  if (same) return {name, Sameness::identical, 0, "the same bytes", {}, {}, {}};
+  if (comparing(name) == Comparing::nothing)
+    return {name, Sameness::not_compared, -1, "times and paths differ from run to run", {}, {}, {}};
+  return {name, Sameness::different, -1, "other bytes", {}, {}, {}};
+}
+
+FileDifference compare_files(const std::string& name, const std::string& a, const std::string& name_a,
+                             const std::string& b, const std::string& name_b,
+                             const DifferenceOptions& options) {
+  const Comparing how = comparing(name);
+  if (how == Comparing::bytes || how == Comparing::nothing) return by_bytes(name, a == b);
+  FileDifference result;
+  try {
+    result = compare_contents(how, a, name_a, b, name_b, options);
+  } catch (const InputError& error) {
+    result = {{}, Sameness::unreadable, -1, error.what(), {}, {}, {}};
+  }
+  if (a == b && result.sameness == Sameness::identical) result.in_words = "the same bytes";
+  result.name = name;
+  return result;
+}
+
 FileDifference compare_files(const std::string& name, const std::string& a, const std::string& b,
                              const DifferenceOptions& options) {
-  if (a == b) return {name, Sameness::identical, 0, "the same bytes", {}, {}, {}};
-  try {
-    if (name.ends_with(".png")) return compare_pictures(name, a, b, options);
-    if (name.ends_with(".csv")) return compare_numbers(name, a, b, options);
-    if (name.ends_with("results.json")) return compare_verdicts(name, a, b);
-  } catch (const InputError& error) {
-    return {name, Sameness::unreadable, -1, error.what(), {}, {}, {}};
-  }
-  return {name, Sameness::not_compared, -1, "times and paths differ from run to run", {}, {}, {}};
+  return compare_files(name, a, name, b, name, options);
 }
 
 }  // namespace plumb

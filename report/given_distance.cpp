@@ -3,48 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
-#include "engine/output/given_probes.h"
 #include "report/series_error.h"
 
 namespace plumb {
 namespace {
 
-std::vector<double> within(const std::vector<double>& times, double from, double to) {
-  return {std::lower_bound(times.begin(), times.end(), from),
-          std::upper_bound(times.begin(), times.end(), to)};
-}
-
-ProbeTable reported_at(const Run& run, const std::vector<double>& times) {
-  return reports_given_run(run.loaded.spec) ? probe(run.loaded.given_runs.front(), times)
-                                            : probe(run.loaded.spec, run.trajectory, times);
+/// The times (s) of both, one only where they have the same but for rounding.
+std::vector<double> times_of_both(const std::vector<double>& reported, const std::vector<double>& given) {
+  std::vector<double> times = reported;
+  for (const double t : given)
+    if (const std::optional<KnownTime> known = known_time(reported, t); !known || !known->output)
+      times.push_back(t);
+  std::sort(times.begin(), times.end());
+  return times;
 }
 
 void add_distances(const Run& run, std::size_t k, std::vector<GivenDistance>& result) {
-  const GivenRun& given = run.loaded.given_runs[k];
-  const std::vector<double>& reported = run.trajectory.times;
-  std::vector<double> times;
-  std::string times_of;
-  if (!reported.empty()) {
-    const double from = std::max(given.times.front(), reported.front());
-    const double to = std::min(given.times.back(), reported.back());
-    times = within(given.times, from, to);
-    times_of = run.loaded.spec.given_runs[k].name;
-    // The finer of the two loses less between its times.
-    if (std::vector<double> fewer = within(reported, from, to);
-        times.empty() || (!fewer.empty() && fewer.size() < times.size())) {
-      times = std::move(fewer);
-      times_of = reported_name(run.loaded.spec);
-    }
-  }
-  const ProbeTable a = probe(given, times), b = reported_at(run, times);
-  for (const Column& column : a.columns) {
-    const Column* other = b.find(column.name);
+  const GivenRunSpec& spec = run.loaded.spec.given_runs[k];
+  const std::vector<double>&reported_outputs = outputs_of(run, {}), &given_outputs = outputs_of(run, k);
+  Demand demand{times_of_both(reported_outputs, given_outputs), spec.coverage, "the two runs", "", "", 0};
+  const std::vector<double> claimed = demand.claimed_times();
+  const SampledRun given = sample_of(run, k, claimed), reported = sample_of(run, {}, claimed);
+  for (const Column& column : given.values.columns) {
+    const Column* other = reported.values.find(column.name);
     if (other == nullptr) continue;
-    GivenDistance distance{k, column.name, column.unit, times, {}, times_of, 0, 0, 0};
-    for (std::size_t row = 0; row < times.size(); ++row)
-      distance.difference.push_back(column.values[row] - other->values[row]);
-    const DifferenceNorms norms = norms_of(times, distance.difference);
+    demand.column = column.name;
+    demand.unit = column.unit;
+    const auto tolerance = spec.tolerances.find(column.name);
+    demand.tolerance =
+        tolerance != spec.tolerances.end() ? tolerance->second : std::numeric_limits<double>::infinity();
+    const Covered covered = cover(
+        demand, {{run_name(run, k), given_outputs, given}, {run_name(run, {}), reported_outputs, reported}});
+    GivenDistance distance{k, column.name, column.unit, covered.coverage, {}, {}, 0, 0, 0};
+    for (std::size_t row = 0; row < covered.times.size(); ++row) {
+      distance.times.push_back(claimed[covered.times[row]]);
+      distance.difference.push_back(column.values[covered.rows[0][row]] -
+                                    other->values[covered.rows[1][row]]);
+    }
+    const DifferenceNorms norms = norms_of(distance.times, distance.difference);
     distance.max = norms.max;
     distance.max_time = norms.max_time;
     distance.rms = norms.rms;
@@ -62,9 +60,10 @@ std::vector<GivenDistance> given_distances(const Run& run) {
 }
 
 std::string in_words(const GivenDistance& distance) {
-  if (distance.times.empty()) return "not run: the two runs share no time";
-  return fmt::format("{:.3g} {} at {:.4g} s (RMS {:.3g} {})", distance.max, distance.unit, distance.max_time,
-                     distance.rms, distance.unit);
+  if (distance.times.empty()) return "not run: " + distance.coverage.lacking;
+  return fmt::format("{:.3g} {} at {:.4g} s (RMS {:.3g} {}), {}", distance.max, distance.unit,
+                     distance.max_time, distance.rms, distance.unit,
+                     in_words(distance.coverage, distance.unit));
 }
 
 std::vector<Verdict> distance_verdicts(const Run& run, const std::vector<GivenDistance>& distances) {
@@ -83,23 +82,17 @@ std::vector<Verdict> distance_verdicts(const Run& run, const std::vector<GivenDi
     verdict.limit = tolerance->second;
     verdict.unit = distance.unit;
     verdict.reason = given.reason;
-    const double tail = 1e-9 * spec.time.end;
-    const std::vector<double>& mine = run.trajectory.times;
-    const std::vector<double>& other = run.loaded.given_runs[distance.given_run].times;
+    verdict.coverage = distance.coverage;
     if (run.trajectory.outcome != Outcome::completed) {
       verdict.detail = fmt::format("the run of {} ended early, {} at {:.4g} s", reported,
                                    word(run.trajectory.outcome), run.trajectory.end_time);
-    } else if (distance.times.empty()) {
-      verdict.detail = "the two runs share no time";
-    } else if (other.back() < mine.back() - tail && other.back() < spec.time.end - tail) {
-      verdict.detail = fmt::format("{} ends at {:.4g} s, before {:.4g} s", given.name, other.back(),
-                                   std::min(mine.back(), spec.time.end));
+    } else if (!distance.coverage.enough()) {
+      verdict.detail = distance.coverage.lacking;
     } else {
       verdict.value = distance.max;
       verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
-      verdict.detail = fmt::format("over the {} times of {} in {:.4g} to {:.4g} s, the greatest at {:.4g} s",
-                                   distance.times.size(), distance.times_of, distance.times.front(),
-                                   distance.times.back(), distance.max_time);
+      verdict.detail = fmt::format("the greatest at {:.4g} s; {}", distance.max_time,
+                                   in_words(distance.coverage, distance.unit));
     }
     verdict.message = verdict.status == VerdictStatus::not_run
                           ? verdict.detail

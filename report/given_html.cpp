@@ -39,7 +39,8 @@ data distance_rows(const Document& given) {
     data row;
     row["column"] = text(distance, "column");
     row["unit"] = text(distance, "unit");
-    row["points"] = fmt::format("{} of {}", distance.at("points").get<long>(), text(distance, "times_of"));
+    row["points"] = fmt::format("{} of {}", distance.at("points").get<long>(),
+                                distance.at("coverage").at("demanded").get<long>());
     row["max"] = any ? four_digits(distance.at("max")) : "not run";
     row["max_time"] = any ? four_digits(distance.at("max_time")) : "–";
     row["rms"] = any ? four_digits(distance.at("rms")) : "not run";

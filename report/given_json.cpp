@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/output/time_interpolation.h"
+#include "report/case_json.h"
 
 namespace plumb {
 namespace {
@@ -12,11 +13,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json distance_json(const GivenDistance& distance) {
-  return {{"column", distance.column},     {"unit", distance.unit},
-          {"times_of", distance.times_of}, {"points", distance.times.size()},
-          {"max", distance.max},           {"max_time", distance.max_time},
-          {"rms", distance.rms},           {"in_words", in_words(distance)},
-          {"time", distance.times},        {"difference", distance.difference}};
+  return {{"column", distance.column},       {"unit", distance.unit},
+          {"points", distance.times.size()}, {"max", distance.max},
+          {"max_time", distance.max_time},   {"rms", distance.rms},
+          {"in_words", in_words(distance)},  {"coverage", coverage_json(distance.coverage)},
+          {"time", distance.times},          {"difference", distance.difference}};
 }
 
 Json given_run_json(const LoadedCase& loaded, std::size_t k) {

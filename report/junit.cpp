@@ -71,7 +71,7 @@ std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& al
       title, tests, failures, skipped);
   for (const JunitSuite& suite : all) {
     xml += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n",
-                       suite.name, suite.cases.size(), count(suite, VerdictStatus::failed),
+                       escape_xml(suite.name), suite.cases.size(), count(suite, VerdictStatus::failed),
                        count(suite, VerdictStatus::not_run));
     if (!suite.properties.empty()) {
       xml += "    <properties>\n";
@@ -81,10 +81,13 @@ std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& al
       xml += "    </properties>\n";
     }
     for (const JunitCase& test : suite.cases) {
-      xml += fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", title, suite.name,
-                         escape_xml(test.name), test.seconds);
+      xml += fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.3f}\"", title,
+                         escape_xml(suite.name), escape_xml(test.name), test.seconds);
       if (test.status == VerdictStatus::passed) {
-        xml += "/>\n";
+        // Over how much it passed.
+        xml += test.message.empty() ? "/>\n"
+                                    : fmt::format(">\n      <system-out>{}</system-out>\n    </testcase>\n",
+                                                  escape_xml(test.message));
         continue;
       }
       // Some viewers show the attribute, some the text.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/input/csv.h"
+#include "engine/interrupt.h"
 
 namespace plumb {
 namespace {
@@ -34,6 +35,7 @@ using Scales = std::map<std::string, std::vector<double>>;
 
 void add_scales(const std::vector<CsvLine>& lines, Scales& scales) {
   for (const CsvLine& line : lines) {
+    stop_if_interrupted();
     std::vector<double>& of_kind = scales[kind_of(line)];
     of_kind.resize(std::max(of_kind.size(), line.cells.size()), 0);
     for (std::size_t c = 0; c < line.cells.size(); ++c)
@@ -67,18 +69,21 @@ NumberDifference number_difference(const std::string& a, const std::string& name
           fmt::format("line {}: {} and {} cells", second[row].number, cells.size(), others.size());
       return result;
     }
+    stop_if_interrupted();
+    const std::vector<double>& largest = scales[kind_of(first[row])];
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (cells[c].text == others[c].text) continue;
       const auto x = number(cells[c].text), y = number(others[c].text);
+      if (x && y) ++result.numbers;
+      if (cells[c].text == others[c].text) continue;
       if (!x || !y) {
         result.unlike =
             fmt::format("line {}: '{}' and '{}'", second[row].number, cells[c].text, others[c].text);
         return result;
       }
       if (alike(*x, *y)) continue;
-      const double scale = scales[kind_of(first[row])][c];
-      const double relative = std::abs(*x - *y) / scale;
-      if (relative <= result.greatest) continue;
+      ++result.differing;
+      const double relative = std::abs(*x - *y) / largest[c];
+      if (relative <= result.greatest && !result.where.empty()) continue;
       result.greatest = std::isfinite(relative) ? relative : HUGE_VAL;
       const std::string& column =
           c < first.front().cells.size() ? first.front().cells[c].text : cells[c].text;

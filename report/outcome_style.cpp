@@ -13,6 +13,7 @@ std::span<const OutcomeStyle> outcome_styles() {
       {Outcome::diverged, "D", Color::hex(0x3A3A3A), "not finite any more"},
       {Outcome::no_convergence, "N", Color::hex(0xF0C24B), "the equations of a step were not solved"},
       {Outcome::singular, "S", Color::hex(0xCC79A7), "a slope collapsed, or a matrix was singular"},
+      {Outcome::unstable_equilibrium, "E", Color::hex(0x8C564B), "an equilibrium that the cable would leave"},
       {Outcome::out_of_time, "T", Color::hex(0xC4C8CE), "longer than the time allowed"},
   };
   return all;

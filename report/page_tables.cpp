@@ -46,7 +46,13 @@ data error_rows(const Document& document) {
     row["figure"] = text(error, "figure");
     row["published"] = reference != nullptr && reference->at("kind") == "published";
     row["unit"] = unit;
-    row["points"] = std::to_string(error.at("points").get<long>());
+    const Document& coverage = error.at("coverage");
+    row["points"] =
+        fmt::format("{} of {}", error.at("points").get<long>(), coverage.at("demanded").get<long>());
+    row["range"] =
+        any ? fmt::format("{} to {}", four_digits(coverage.at("first")), four_digits(coverage.at("last")))
+            : "–";
+    row["gap"] = any ? four_digits(coverage.at("longest_gap")) : "–";
     row["max"] = any ? four_digits(error.at("max")) : "not run";
     row["max_time"] = any ? four_digits(error.at("max_time")) : "–";
     row["rms"] = any ? four_digits(error.at("rms")) : "not run";

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <memory>
 
 #include "engine/errors.h"
 #include "engine/interrupt.h"
-#include "engine/output/file_writing.h"
 #include "render/apng.h"
 #include "render/frame_stream.h"
 #include "render/gl_context.h"
@@ -36,13 +36,14 @@ SceneSpec page_scene(SceneSpec spec) {
 
 }  // namespace
 
-FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked) {
-  const int last = scene.frame_count() - 1;
+FrameRange range_within(int frames, const std::optional<FrameRange>& asked) {
+  const int last = frames - 1;
   if (!asked) return {0, last};
-  if (asked->first > last)
-    throw UsageError(
-        fmt::format("--frames: there is no frame {}; the run has frames 0 to {}", asked->first, last));
-  return {asked->first, std::min(asked->last, last)};
+  const bool open = asked->last == FrameRange::open_end;
+  if (asked->first > last || (!open && asked->last > last))
+    throw UsageError(fmt::format("--frames: there is no frame {}; the run has frames 0 to {}",
+                                 asked->first > last ? asked->first : asked->last, last));
+  return {asked->first, open ? last : asked->last};
 }
 
 PngTexts picture_texts(const GlContext& context, const std::string& title) {
@@ -65,8 +66,11 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
   PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    encoding.push_back(std::async(
-        std::launch::async, [image = plots.draw(figure.plot), &texts] { return encode_png(image, texts); }));
+    const auto encode = [image = std::make_shared<const Image>(plots.draw(figure.plot)), &texts] {
+      return encode_png(*image, texts);
+    };
+    // Where no thread is to be had the picture is encoded once it is asked for.
+    encoding.push_back(std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();
   }
   while (!encoding.empty()) take_first();
@@ -77,8 +81,8 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
                                   const PngTexts& texts, OutputFolder& folder) {
   std::vector<Picture> pictures = drawn_figures(figures, context, texts);
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    write_file(folder.file(pictures[i].file), pictures[i].png);
-    write_file(folder.file(fmt::format("figures/{}.csv", figures[i].name)), to_csv(figures[i].plot));
+    folder.write(pictures[i].file, pictures[i].png);
+    folder.write(fmt::format("figures/{}.csv", figures[i].name), to_csv(figures[i].plot));
   }
   return pictures;
 }
@@ -103,9 +107,9 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
   SceneInput input = shown.input();
   SceneRenderer scene(context, *shown.motion(), input);
   std::vector<std::string> frames;
-  const FrameRange asked = range_within(scene, range);
+  const FrameRange asked = range_within(scene.frame_count(), range);
   stream_frames(scene, asked, texts, PngEffort::quick, [&](int k, std::string png) {
-    write_file(folder.file(fmt::format("frames/{:04}.png", k)), png);
+    folder.write(fmt::format("frames/{:04}.png", k), png);
     frames.push_back(std::move(png));
     if (progress) progress(static_cast<double>(k + 1 - asked.first) / asked.count());
   });
@@ -114,15 +118,15 @@ Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesE
   result.frame_rate = input.spec.frame_rate;
 
   stages.begin("animation");
-  write_file(folder.file("animation.png"), join_apng(frames, input.spec.frame_rate));
+  folder.write("animation.png", join_apng(frames, input.spec.frame_rate));
   frames.clear();
   input.spec = page_scene(input.spec);
   SceneRenderer small(context, *shown.motion(), input);
-  stream_frames(small, range_within(small, {}), texts, PngEffort::small,
+  stream_frames(small, range_within(small.frame_count(), {}), texts, PngEffort::small,
                 [&](int, std::string png) { frames.push_back(std::move(png)); });
   result.page_animation = join_apng(frames, input.spec.frame_rate);
   result.page_still = split_apng(result.page_animation, player_file).back();
-  write_file(folder.file(player_file), result.page_animation);
+  folder.write(player_file, result.page_animation);
   result.player_frame_rate = input.spec.frame_rate;
   result.page_animation_width = input.spec.size[0];
   result.page_animation_height = input.spec.size[1];

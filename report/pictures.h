@@ -61,9 +61,9 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
 /// Called now and then with the share done, 0 to 1.
 using DrawingProgress = std::function<void(double)>;
 
-/// The frames of a scene that were asked for, as far as there are such; all without a range. Throws
-/// UsageError where there is none of them.
-FrameRange range_within(const SceneRenderer& scene, const std::optional<FrameRange>& asked);
+/// The frames that were asked for, of so many; all without a range. Throws UsageError where one of them is
+/// not there.
+FrameRange range_within(int frames, const std::optional<FrameRange>& asked);
 
 /// The animation of the page, small enough to lie in it.
 inline constexpr const char* player_file = "player.png";

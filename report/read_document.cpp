@@ -2,14 +2,21 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
+#include "engine/input/parse_json.h"
+#include "engine/input/place.h"
+#include "engine/interrupt.h"
 #include "render/apng.h"
+#include "render/png_file.h"
 #include "report/document.h"
 
 namespace plumb {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The keys without which a document is not that of a run.
 constexpr std::array run_keys{"title",      "headline",        "outcome",   "outcome_reason", "complete",
@@ -24,33 +31,87 @@ Enum from_word(const std::string& text, std::initializer_list<Enum> all) {
   throw InputError(fmt::format("results.json: \"{}\" is unknown", text));
 }
 
-std::vector<Picture> read_pictures(const Document& list, const std::filesystem::path& folder) {
-  std::vector<Picture> pictures;
-  for (const Document& item : list) {
-    Picture picture;
-    picture.file = item.at("file").get<std::string>();
-    picture.title = item.at("title").get<std::string>();
-    picture.alt = item.at("alt").get<std::string>();
-    picture.tall = item.at("tall").get<bool>();
-    picture.png = read_whole_file((folder / picture.file).string());
-    pictures.push_back(std::move(picture));
+/// Reads the PNG files that a document names: those within its folder, links followed, and nothing else.
+class PictureReader {
+ public:
+  explicit PictureReader(fs::path folder) : folder_(std::move(folder)) {}
+
+  std::string read(const std::string& file) {
+    const fs::path inner = fs::path(file).lexically_normal();
+    const bool whole = !file.empty() && file.find('\0') == std::string::npos;
+    if (!whole || inner.is_absolute() || *inner.begin() == "..")
+      refuse(file, "is not in the folder of the document");
+    std::error_code error;
+    const fs::path path = fs::canonical(folder_ / inner, error);
+    if (error) refuse(file, "cannot be read");
+    const fs::path seen = path.lexically_relative(fs::canonical(folder_, error));
+    if (error || seen.empty() || *seen.begin() == "..")
+      refuse(file, "is a link out of the folder of the document");
+    if (!fs::is_regular_file(path, error)) refuse(file, "is no file");
+    std::string png = read_whole_file(path.string());
+    if (png.size() > room_) refuse(file, "and those before it are too large for a page");
+    room_ -= png.size();
+    read_png_file(png, (folder_ / inner).string());
+    return png;
   }
-  return pictures;
+
+  std::vector<Picture> read_all(const Document& list) {
+    std::vector<Picture> pictures;
+    for (const Document& item : list) {
+      stop_if_interrupted();
+      Picture picture;
+      picture.file = item.at("file").get<std::string>();
+      picture.title = item.at("title").get<std::string>();
+      picture.alt = item.at("alt").get<std::string>();
+      picture.tall = item.at("tall").get<bool>();
+      picture.png = read(picture.file);
+      pictures.push_back(std::move(picture));
+    }
+    return pictures;
+  }
+
+ private:
+  [[noreturn]] static void refuse(const std::string& file, const char* why) {
+    throw InputError(one_line(fmt::format("results.json: picture '{}': {}", file, why)));
+  }
+
+  fs::path folder_;
+  std::size_t room_ = 256U << 20;  ///< bytes
+};
+
+/// A count, of frames or pixels.
+int count_in(const Document& object, const char* key) {
+  const Document& value = object.at(key);
+  if (!value.is_number_integer() || value < 0 || value > std::numeric_limits<int>::max())
+    throw InputError(fmt::format("results.json: animation.{} is no count", key));
+  return value.get<int>();
+}
+
+Coverage read_coverage(const Document& json) {
+  Coverage coverage;
+  const auto count = [&](const char* key) { return json.at(key).get<std::size_t>(); };
+  const auto number = [&](const char* key) { return json.at(key).get<double>(); };
+  coverage.demanded = count("demanded");
+  coverage.compared = count("compared");
+  coverage.interpolated = count("interpolated");
+  coverage.first = number("first");
+  coverage.last = number("last");
+  coverage.longest_gap = number("longest_gap");
+  coverage.interpolation_error = number("interpolation_error");
+  coverage.share = number("share");
+  coverage.allowance = json.at("allowance").get<std::string>();
+  coverage.lacking = json.at("lacking").get<std::string>();
+  return coverage;
 }
 
 }  // namespace
 
 Document read_document(const std::string& path) {
   const std::string text = read_whole_file(path);
-  Document document;
-  try {
-    document = Document::parse(text);
-  } catch (const Document::parse_error& error) {
-    throw InputError(fmt::format("{}: not JSON: {}", path, error.what()));
-  }
+  const auto document = parse_json<Document>(text, path);
   if (!document.is_object() || !document.contains("schema_version") ||
       !document["schema_version"].is_number_integer())
-    throw InputError(path + ": no results of Plumb: schema_version is missing");
+    throw InputError(path + ": no results of Plumb: it has no schema_version that is a whole number");
   const long version = document["schema_version"].get<long>();
   if (version != results_version)
     throw InputError(fmt::format("{}: schema_version is {}; this program reads version {}", path, version,
@@ -80,32 +141,32 @@ std::vector<Verdict> verdicts_of(const Document& document) {
     verdict.detail = text("detail");
     verdict.message = text("message");
     verdict.reason = text("reason");
+    if (item.contains("coverage")) verdict.coverage = read_coverage(item.at("coverage"));
     verdicts.push_back(std::move(verdict));
   }
   return verdicts;
 }
 
 Pictures pictures_of(const Document& document, const std::string& folder) {
-  const std::filesystem::path path = folder;
+  PictureReader reader(folder);
   Pictures pictures;
-  pictures.figures = read_pictures(document.at("figures"), path);
-  if (document.contains("study_figures")) pictures.study = read_pictures(document.at("study_figures"), path);
+  pictures.figures = reader.read_all(document.at("figures"));
+  if (document.contains("study_figures")) pictures.study = reader.read_all(document.at("study_figures"));
   if (document.contains("error_budget_figures"))
-    pictures.budget = read_pictures(document.at("error_budget_figures"), path);
+    pictures.budget = reader.read_all(document.at("error_budget_figures"));
   const Document& animation = document.at("animation");
-  pictures.frames = animation.at("frames").get<int>();
-  pictures.first_frame = animation.at("first_frame").get<int>();
+  pictures.frames = count_in(animation, "frames");
+  pictures.first_frame = count_in(animation, "first_frame");
   pictures.frame_rate = animation.at("frame_rate").get<double>();
   pictures.player_frame_rate = animation.at("player_frame_rate").get<double>();
-  pictures.page_animation_width = animation.at("width").get<int>();
-  pictures.page_animation_height = animation.at("height").get<int>();
+  pictures.page_animation_width = count_in(animation, "width");
+  pictures.page_animation_height = count_in(animation, "height");
   pictures.renderer = document.at("renderer").get<std::string>();
   if (animation.contains("notes"))
     pictures.animation_notes = animation.at("notes").get<std::vector<std::string>>();
   if (!pictures.animated()) return pictures;
-  const std::string player = (path / player_file).string();
-  pictures.page_animation = read_whole_file(player);
-  pictures.page_still = split_apng(pictures.page_animation, player).back();
+  pictures.page_animation = reader.read(player_file);
+  pictures.page_still = split_apng(pictures.page_animation, (fs::path(folder) / player_file).string()).back();
   return pictures;
 }
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "report/document.h"
+#include "report/picture_moves.h"
 
 namespace plumb {
 
@@ -8,11 +12,17 @@ namespace plumb {
 /// compiler's rounding, not for another answer.
 inline constexpr double default_regression_share = 1e-9;
 
-/// Adds to a report what became of it since an earlier one: verdicts of regression, which say that nothing
-/// moved and never that anything is right, and under `baseline` where the earlier report is, when it was
-/// made, and what changed. The outcome is left as it is; all_criteria_met and the headline take the verdicts
-/// in. `share` is what each column may move by, of its largest value.
+/// Throws InputError where the baseline at `path` is of another case than `now` (the `case` of a report),
+/// with the keys that differ and both values, shortened where they are many.
+void refuse_other_case(const Document& baseline, const std::string& path, const Document& now);
+
+/// Adds to a report what became of it since an earlier one of the same case: verdicts of regression, which
+/// say that nothing moved and never that anything is right, and under `baseline` where the earlier report is,
+/// when it was made, and what changed. What either lacks has moved; where there is nothing to compare, that
+/// is a verdict that was not run. The outcome is left as it is; all_criteria_met and the headline take the
+/// verdicts in. `share`, a finite number, is what each column may move by, of its largest value. Throws
+/// InputError for a baseline of another case.
 void hold_against_baseline(Document& document, const Document& baseline, const std::string& path,
-                           double share);
+                           double share, const std::vector<PictureMove>& pictures = {});
 
 }  // namespace plumb

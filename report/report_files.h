@@ -6,6 +6,6 @@
 namespace plumb {
 
 /// Writes index.html, results.json, junit.xml and summary.md. Throws OutputError.
-void write_report(const Document& document, const Pictures& pictures, const OutputFolder& folder);
+void write_report(const Document& document, const Pictures& pictures, OutputFolder& folder);
 
 }  // namespace plumb

@@ -42,10 +42,23 @@ std::vector<Verdict> own_verdicts(const Results& results) {
   return {results.verdicts.begin(), results.verdicts.begin() + own};
 }
 
-Outcome judged_outcome(const Run& run, const std::vector<Verdict>& verdicts) {
-  if (run.trajectory.outcome != Outcome::completed) return run.trajectory.outcome;
-  if (count_of(verdicts, VerdictStatus::failed) > 0) return Outcome::inaccurate;
-  return !verdicts.empty() && all_passed(verdicts) ? Outcome::accurate : Outcome::completed;
+Outcome judged_outcome(const Results& results) {
+  if (!results.solved()) return results.run.trajectory.outcome;
+  const std::vector<Verdict> own = own_verdicts(results);
+  if (count_of(own, VerdictStatus::failed) > 0) return Outcome::inaccurate;
+  return !own.empty() && all_passed(results.verdicts) ? Outcome::accurate : Outcome::completed;
+}
+
+/// "known: tip.y is not met", "known: tip.y and 2 other criteria are not run"; empty for none of that status.
+std::string those_in_words(const std::vector<Verdict>& verdicts, VerdictStatus status) {
+  const auto first = std::find_if(verdicts.begin(), verdicts.end(),
+                                  [&](const Verdict& verdict) { return verdict.status == status; });
+  if (first == verdicts.end()) return "";
+  const char* what = status == VerdictStatus::failed ? "met" : "run";
+  const long more = count_of(verdicts, status) - 1;
+  return more == 0 ? fmt::format("{} is not {}", first->name, what)
+                   : fmt::format("{} and {} are not {}", first->name,
+                                 counted(more, "other criterion", "other criteria"), what);
 }
 
 /// "the run with 4 elements", "the given run chrono".
@@ -105,11 +118,11 @@ Results evaluate(const Run& run, const Stages& stages, const Study* study, const
   results.economy = economy;
   if (assessment && assessment->uncertainty)
     add_uncertainty(results.verdicts, results.errors, run.loaded.spec, *assessment->uncertainty);
-  results.outcome = judged_outcome(run, own_verdicts(results));
   results.distances = given_distances(run);
   for (Verdict& verdict : distance_verdicts(run, results.distances))
     results.verdicts.push_back(std::move(verdict));
   if (economy) results.verdicts.push_back(economy_verdict(*economy));
+  results.outcome = judged_outcome(results);
   return results;
 }
 
@@ -118,18 +131,15 @@ std::string outcome_reason(const Results& results) {
   switch (results.outcome) {
     case Outcome::accurate:
       return "every criterion is met";
-    case Outcome::inaccurate: {
-      const auto first = std::find_if(all.begin(), all.end(), [](const Verdict& verdict) {
-        return verdict.status == VerdictStatus::failed;
-      });
-      const long more = count_of(all, VerdictStatus::failed) - 1;
-      return more == 0 ? first->name + " is not met"
-                       : fmt::format("{} and {} are not met", first->name,
-                                     counted(more, "other criterion", "other criteria"));
+    case Outcome::inaccurate:
+      return those_in_words(all, VerdictStatus::failed);
+    case Outcome::completed: {
+      if (all.empty() || count_of(all, VerdictStatus::not_run) == std::ssize(all))
+        return "not held against anything";
+      if (count_of(all, VerdictStatus::not_run) > 0) return "not held against every reference";
+      const std::string failed = those_in_words(results.verdicts, VerdictStatus::failed);
+      return failed.empty() ? those_in_words(results.verdicts, VerdictStatus::not_run) : failed;
     }
-    case Outcome::completed:
-      return count_of(all, VerdictStatus::passed) == 0 ? "not held against anything"
-                                                       : "not held against every reference";
     default:
       return results.run.trajectory.message;
   }
@@ -141,8 +151,8 @@ std::string headline(const Results& results) {
     return fmt::format("The integration did not finish ({}): {}.", word(trajectory.outcome),
                        trajectory.message);
   const std::vector<Verdict> own = own_verdicts(results);
-  const auto all = std::ssize(own), failed = count_of(own, VerdictStatus::failed),
-             not_run = count_of(own, VerdictStatus::not_run);
+  const auto all = std::ssize(results.verdicts), failed = count_of(results.verdicts, VerdictStatus::failed),
+             not_run = count_of(results.verdicts, VerdictStatus::not_run);
   std::string text = outcome_in_words(results) + " ";
   if (all == 0)
     text += "The case names no criterion, so nothing is claimed";
@@ -151,8 +161,8 @@ std::string headline(const Results& results) {
   else if (not_run == 0)
     text += fmt::format("{} of {} not met", failed, counted(all, "criterion", "criteria"));
   else
-    text += fmt::format("Of {}, {} not met and {} not evaluated", counted(all, "criterion", "criteria"),
-                        failed, not_run);
+    text += fmt::format("Of {}, {} not met and {} not run", counted(all, "criterion", "criteria"), failed,
+                        not_run);
 
   const Run& run = results.run;
   std::string distances;

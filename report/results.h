@@ -15,7 +15,7 @@
 namespace plumb {
 
 /// Version of results.json; rises when a key changes its meaning or goes away.
-inline constexpr int results_version = 1;
+inline constexpr int results_version = 2;
 
 /// Everything a report says, apart from how it looks.
 struct Results {
@@ -25,8 +25,9 @@ struct Results {
   std::vector<Verdict> verdicts;
   Stages stages;                 ///< those before the report itself
   const Study* study = nullptr;  ///< the quick work-precision study made with the run, if any
-  /// `accurate` where the run completed and met every criterion, `inaccurate` where it completed and one was
-  /// not met; else how the integration itself ended.
+  /// `accurate` where the run completed, was held against a reference, and every verdict of it and of the
+  /// given runs beside it passed; `inaccurate` where it completed and one of its own failed; else how the
+  /// integration itself ended.
   Outcome outcome = Outcome::not_run;
   const Assessment* assessment = nullptr;  ///< what was computed of its uncertainty, if anything
   const Economy* economy = nullptr;        ///< what the scene needs, where the run was left to it

@@ -45,14 +45,21 @@ Document entry(const IndexedReport& report) {
 int rank(const Document& entry) {
   if (!entry.at("complete").get<bool>()) return 0;
   if (entry.at("failed").get<long>() > 0) return 1;
-  return entry.at("all_criteria_met").get<bool>() ? 3 : 2;
+  return entry.at("all_criteria_met").get<bool>() || entry.at("criteria").get<long>() == 0 ? 3 : 2;
 }
 
 std::string headline(const Document& entries) {
   const auto all = std::ssize(entries);
   const auto failed =
       std::count_if(entries.begin(), entries.end(), [](const Document& one) { return rank(one) < 3; });
-  if (failed == 0) return fmt::format("All criteria of all {} reports are met.", all);
+  const auto none = std::count_if(entries.begin(), entries.end(),
+                                  [](const Document& one) { return one.at("criteria").get<long>() == 0; });
+  if (failed == 0 && none == all)
+    return fmt::format("None of {} reports names a criterion, so nothing is claimed.", all);
+  if (failed == 0)
+    return none == 0 ? fmt::format("All criteria of all {} reports are met.", all)
+                     : fmt::format("All criteria of {} of {} reports are met; the others name none.",
+                                   all - none, all);
   std::string names;
   for (const Document& one : entries)
     if (rank(one) < 3) names += (names.empty() ? "" : ", ") + text(one, "folder");
@@ -113,7 +120,9 @@ Document index_of(const std::vector<IndexedReport>& reports, const std::vector<P
   index["schema_version"] = results_version;
   index["kind"] = "index";
   index["headline"] = headline(Document(entries));
+  const auto met = [](const Document& one) { return one.at("all_criteria_met").get<bool>(); };
   index["all_criteria_met"] =
+      std::any_of(entries.begin(), entries.end(), met) &&
       std::all_of(entries.begin(), entries.end(), [](const Document& one) { return rank(one) == 3; });
   index["reports"] = entries;
   index["figures"] = Document::array();
@@ -141,7 +150,8 @@ std::string index_summary(const Document& index) {
   for (const Document& one : index.at("reports")) {
     const std::string row =
         fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(text(one, "folder")),
-                    rank(one) == 3 ? text(one, "outcome") : fmt::format("**{}**", text(one, "outcome")),
+                    rank(one) == 3 ? escape_markdown(text(one, "outcome"))
+                                   : fmt::format("**{}**", escape_markdown(text(one, "outcome"))),
                     one.at("criteria").get<long>(), one.at("failed").get<long>(),
                     one.at("not_run").get<long>(), escape_markdown(text(one, "headline")));
     if (summary.size() + row.size() > size_limit)

@@ -2,74 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-
-#include "engine/output/given_probes.h"
 
 namespace plumb {
 namespace {
 
-/// A run as comparisons need it: when it is known, and what its probes see at any time between.
-struct Source {
-  std::optional<std::size_t> given_run;
-  const std::vector<double>& outputs;
-  std::function<ProbeTable(const std::vector<double>&)> at;
-};
-
-/// Times of a reference that a run has, by their rows, and how many within the case's end it has not.
-struct Reached {
-  std::vector<std::size_t> rows;
-  std::vector<double> times;  // as the run has them
-  std::size_t missed = 0;
-  std::size_t interpolated = 0;
-};
-
-Reached reached_times(const Reference& reference, const std::vector<double>& outputs, double end) {
-  const double tolerance = 1e-9 * end;
-  Reached result;
-  for (std::size_t row = 0; row < reference.times.size(); ++row) {
-    const double t = reference.times[row];
-    if (t > end + tolerance) continue;
-    if (outputs.empty() || t < outputs.front() - tolerance || t > outputs.back() + tolerance) {
-      ++result.missed;
-      continue;
-    }
-    result.rows.push_back(row);
-    const auto near = std::lower_bound(outputs.begin(), outputs.end(), t - tolerance);
-    const bool own = near != outputs.end() && *near <= t + tolerance;
-    // 0.3 s and 300 ms are the same time, but not the same number.
-    result.times.push_back(own ? *near : t);
-    if (!own) ++result.interpolated;
-  }
-  return result;
-}
-
-void add_errors(const Run& run, const Source& source, std::vector<SeriesError>& result) {
+void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vector<SeriesError>& result) {
   const Case& spec = run.loaded.spec;
   for (std::size_t r = 0; r < spec.references.size(); ++r) {
+    const ReferenceUse& use = spec.references[r];
     const Reference& reference = run.loaded.references[r];
-    const Reached reached = reached_times(reference, source.outputs, spec.time.end);
-    const ProbeTable seen = source.at(reached.times);
-    for (const Comparison& pair : spec.references[r].compare) {
+    Demand demand{reference.times, use.coverage, "the reference", "", "", use.tolerance};
+    const std::vector<double> claimed = demand.claimed_times();
+    const SampledRun sampled = sample_of(run, given_run, claimed);
+    for (const Comparison& pair : use.compare) {
       const ReferenceSeries& series = *reference.find(pair.series);
-      const Column* column = seen.find(pair.column);
       SeriesError error;
-      error.given_run = source.given_run;
+      error.given_run = given_run;
       error.reference = r;
       error.series = pair.series;
-      error.column = pair.column;
-      error.unit = series.unit;
-      error.missed = reached.missed;
-      if (column == nullptr) {
-        error.missed += reached.rows.size();
-        result.push_back(std::move(error));
-        continue;
-      }
-      error.interpolated = reached.interpolated;
-      for (std::size_t k = 0; k < reached.rows.size(); ++k) {
-        error.times.push_back(reference.times[reached.rows[k]]);
-        error.expected.push_back(series.values[reached.rows[k]]);
-        error.difference.push_back(column->values[k] - error.expected.back());
+      error.column = demand.column = pair.column;
+      error.unit = demand.unit = series.unit;
+      const Covered covered =
+          cover(demand, {{run_name(run, given_run), outputs_of(run, given_run), sampled}});
+      error.coverage = covered.coverage;
+      const auto first =
+          static_cast<std::size_t>(std::find_if(reference.times.begin(), reference.times.end(),
+                                                [&](double t) { return use.coverage.has(t); }) -
+                                   reference.times.begin());
+      for (std::size_t k = 0; k < covered.times.size(); ++k) {
+        error.times.push_back(claimed[covered.times[k]]);
+        error.expected.push_back(series.values[first + covered.times[k]]);
+        error.difference.push_back(sampled.values.find(pair.column)->values[covered.rows[0][k]] -
+                                   error.expected.back());
       }
       const DifferenceNorms norms = norms_of(error.times, error.difference);
       error.max = norms.max;
@@ -80,8 +44,10 @@ void add_errors(const Run& run, const Source& source, std::vector<SeriesError>& 
   }
 }
 
-Source source_of(const GivenRun& given, std::optional<std::size_t> given_run) {
-  return {given_run, given.times, [&given](const std::vector<double>& times) { return probe(given, times); }};
+/// The given run that is meant; nullptr for one of Plumb's own.
+const GivenRun* given_of(const Run& run, std::optional<std::size_t> given_run) {
+  if (given_run) return &run.loaded.given_runs[*given_run];
+  return reports_given_run(run.loaded.spec) ? &run.loaded.given_runs.front() : nullptr;
 }
 
 }  // namespace
@@ -109,20 +75,25 @@ std::string given_name(const SeriesError& error, const Case& spec) {
   return error.given_run ? spec.given_runs[*error.given_run].name : "";
 }
 
+SampledRun sample_of(const Run& run, std::optional<std::size_t> given_run, const std::vector<double>& times) {
+  const GivenRun* given = given_of(run, given_run);
+  return given != nullptr ? sample(*given, times) : sample(run.loaded.spec, run.trajectory, times);
+}
+
+const std::vector<double>& outputs_of(const Run& run, std::optional<std::size_t> given_run) {
+  const GivenRun* given = given_of(run, given_run);
+  return given != nullptr ? given->times : run.trajectory.times;
+}
+
+std::string run_name(const Run& run, std::optional<std::size_t> given_run) {
+  return given_run ? run.loaded.spec.given_runs[*given_run].name : reported_name(run.loaded.spec);
+}
+
 std::vector<SeriesError> series_errors(const Run& run) {
   std::vector<SeriesError> result;
-  const std::vector<GivenRun>& given = run.loaded.given_runs;
-  const bool reports_given = reports_given_run(run.loaded.spec);
-  add_errors(run,
-             reports_given ? source_of(given.front(), {})
-                           : Source{{},
-                                    run.trajectory.times,
-                                    [&](const std::vector<double>& times) {
-                                      return probe(run.loaded.spec, run.trajectory, times);
-                                    }},
-             result);
-  for (std::size_t k = reports_given ? 1 : 0; k < given.size(); ++k)
-    add_errors(run, source_of(given[k], k), result);
+  add_errors(run, {}, result);
+  for (std::size_t k = reports_given_run(run.loaded.spec) ? 1 : 0; k < run.loaded.given_runs.size(); ++k)
+    add_errors(run, k, result);
   return result;
 }
 

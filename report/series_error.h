@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/output/run.h"
+#include "report/coverage.h"
 
 namespace plumb {
 
@@ -16,11 +17,10 @@ struct SeriesError {
   std::string series;                    ///< "mid_y"
   std::string column;                    ///< "mid.y"
   std::string unit;
-  std::vector<double> times;       ///< s, the reference times that the run has, or reached
+  Coverage coverage;
+  std::vector<double> times;       ///< s, the reference times that are compared
   std::vector<double> expected;    ///< of the reference, at those times
   std::vector<double> difference;  ///< run − reference, at those times
-  std::size_t missed = 0;          ///< reference times within the case's end that the run does not have
-  std::size_t interpolated = 0;    ///< of `times`, those between two outputs of the run
   double max = 0;                  ///< greatest |difference|
   double max_time = 0;             ///< s, where it is
   double rms = 0;
@@ -29,6 +29,15 @@ struct SeriesError {
 /// The errors of every comparison of the case, in its order: those of the run that is reported, and then
 /// those of each given run beside it.
 std::vector<SeriesError> series_errors(const Run& run);
+
+/// A run at times (s): that which is reported, or the k-th given one.
+SampledRun sample_of(const Run& run, std::optional<std::size_t> given_run, const std::vector<double>& times);
+
+/// The outputs (s) of the same.
+const std::vector<double>& outputs_of(const Run& run, std::optional<std::size_t> given_run);
+
+/// What a run is called: "Plumb", or the name of a given one.
+std::string run_name(const Run& run, std::optional<std::size_t> given_run);
 
 /// "" for the run that is reported, else the name of the given one.
 std::string given_name(const SeriesError& error, const Case& spec);

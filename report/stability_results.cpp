@@ -51,6 +51,10 @@ Verdict reference_verdict(const Stability& study, const StabilityReference& refe
   verdict.criterion = "two unlike methods agree to a tenth of the tolerance as long as runs are judged";
   verdict.unit = "s";
   verdict.limit = horizon;
+  if (!(horizon > 0)) {
+    verdict.detail = verdict.message = "neighbours part at once, so that no run can be judged";
+    return verdict;
+  }
   verdict.value = std::max(0.0, horizon - reference.trusted_until);
   verdict.status = reference.trusted_until >= horizon ? VerdictStatus::passed : VerdictStatus::failed;
   verdict.detail = fmt::format("{} and {}", reference.first, reference.second);
@@ -64,6 +68,13 @@ Verdict reference_verdict(const Stability& study, const StabilityReference& refe
 double horizon_of(const Separation& separation, const StabilityReference& reference) {
   if (separation.beyond_end || separation.horizon < 0) return reference.duration;
   return std::min(separation.horizon, reference.duration);
+}
+
+bool any_run(const Stability& study) {
+  return std::any_of(study.maps.begin(), study.maps.end(), [](const OutcomeMap& map) {
+    return std::any_of(map.points.begin(), map.points.end(),
+                       [](const StabilityPoint& point) { return point.outcome != Outcome::not_run; });
+  });
 }
 
 }  // namespace
@@ -87,9 +98,12 @@ std::vector<Verdict> stability_verdicts(const Stability& study) {
   std::vector<Verdict> verdicts;
   for (const CriticalStep& step : study.critical_steps)
     if (predicted_step(step) > 0) verdicts.push_back(limit_verdict(study, step));
-  for (std::size_t k = 0; k < std::min(study.references.size(), study.separations.size()); ++k)
-    verdicts.push_back(
-        reference_verdict(study, study.references[k], horizon_of(study.separations[k], study.references[k])));
+  for (std::size_t k = 0; k < study.references.size(); ++k) {
+    const StabilityReference& reference = study.references[k];
+    verdicts.push_back(reference_verdict(
+        study, reference,
+        k < study.separations.size() ? horizon_of(study.separations[k], reference) : reference.duration));
+  }
   return verdicts;
 }
 
@@ -139,7 +153,8 @@ std::string to_junit(const StabilityResults& results) {
   all.insert(all.begin(),
              {"study",
               {{fmt::format("stability: {}", counted(std::ssize(results.study.result.maps), "map", "maps")),
-                VerdictStatus::passed, "", 0}}});
+                any_run(results.study.result) ? VerdictStatus::passed : VerdictStatus::not_run,
+                any_run(results.study.result) ? "" : "no run was made", 0}}});
   return junit_xml(results.study.result.title, all);
 }
 
@@ -147,7 +162,8 @@ std::string to_summary(const StabilityResults& results) {
   const Stability& study = results.study.result;
   std::string text = fmt::format("# Stability: {}\n\n{}\n\n", escape_markdown(study.title),
                                  escape_markdown(headline(results)));
-  text += fmt::format("At {}{} over {:g} s, to {:g} m:\n\n", parameter_text(study, study.parameter_value),
+  text += fmt::format("At {}{} over {:g} s, to {:g} m:\n\n",
+                      escape_markdown(parameter_text(study, study.parameter_value)),
                       (study.parameter.empty() ? "" : ", ") + counted(study.elements, "element", "elements"),
                       study.end, study.tolerance);
   for (const OutcomeMap& map : study.maps)

@@ -2,16 +2,21 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace plumb {
 
+/// The stage in which a run is integrated, whose failures are those of the solver.
+inline constexpr std::string_view solving_stage = "solving";
+
 /// Where the time of a command went: stages in order, wall-clock seconds.
 class Stages {
  public:
   /// Ends the stage under way, if any, and begins another.
-  void begin(const std::string& name) {
+  void begin(std::string_view name) {
+    current_ = name;
     end();
     stages_.emplace_back(name, 0.0);
     started_ = std::chrono::steady_clock::now();
@@ -30,7 +35,11 @@ class Stages {
 
   const std::vector<std::pair<std::string, double>>& all() const { return stages_; }
 
+  /// The stage that was begun last of all, of any command of this program; empty before.
+  static std::string_view current() { return current_; }
+
  private:
+  inline static std::string current_;
   std::vector<std::pair<std::string, double>> stages_;
   std::chrono::steady_clock::time_point started_;
   bool running_ = false;

@@ -52,7 +52,7 @@ std::string to_summary(const Document& document) {
       counted(solve.at("elements").get<long>(), "element", "elements"), solve.at("end_time").get<double>(),
       counted(solve.at("steps").get<long>(), "step", "steps"), solve.at("force_evaluations").get<long>(),
       solve.at("tangent_evaluations").get<long>(), solve.at("solve_seconds").get<double>(),
-      document.at("energy").at("drift_in_words").get<std::string>());
+      escape_markdown(document.at("energy").at("drift_in_words").get<std::string>()));
   return text;
 }
 

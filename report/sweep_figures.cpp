@@ -11,12 +11,16 @@ namespace {
 /// One colour for each outcome, told apart by people with any of the common colour blindnesses: what is right
 /// in blue and green, what is wrong and says so in warm colours and greys.
 Color color_of(Outcome outcome) {
-  static const std::map<Outcome, Color> colors{
-      {Outcome::accurate, Color::hex(0x0072B2)},       {Outcome::inaccurate, Color::hex(0x56B4E9)},
-      {Outcome::unstable, Color::hex(0xD55E00)},       {Outcome::diverged, Color::hex(0x7F2A00)},
-      {Outcome::no_convergence, Color::hex(0xE69F00)}, {Outcome::singular, Color::hex(0xCC79A7)},
-      {Outcome::out_of_time, Color::hex(0x999999)},    {Outcome::completed, Color::hex(0x009E73)},
-      {Outcome::not_run, Color::hex(0x000000)}};
+  static const std::map<Outcome, Color> colors{{Outcome::accurate, Color::hex(0x0072B2)},
+                                               {Outcome::inaccurate, Color::hex(0x56B4E9)},
+                                               {Outcome::unstable, Color::hex(0xD55E00)},
+                                               {Outcome::diverged, Color::hex(0x7F2A00)},
+                                               {Outcome::no_convergence, Color::hex(0xE69F00)},
+                                               {Outcome::singular, Color::hex(0xCC79A7)},
+                                               {Outcome::unstable_equilibrium, Color::hex(0x8C564B)},
+                                               {Outcome::out_of_time, Color::hex(0x999999)},
+                                               {Outcome::completed, Color::hex(0x009E73)},
+                                               {Outcome::not_run, Color::hex(0x000000)}};
   return colors.at(outcome);
 }
 

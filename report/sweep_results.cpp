@@ -35,8 +35,9 @@ long unjudged(const Sweep& sweep) {
   return count_of(sweep, [](const SweepRun& run) { return run.fault.empty() && !run.judged(); });
 }
 
+/// Of no run at all it says `nothing`.
 Verdict none_of(const std::string& name, const std::string& criterion, long found, long of,
-                const std::string& reason) {
+                const std::string& reason, const std::string& nothing = "there was no run") {
   Verdict verdict;
   verdict.name = name;
   verdict.criterion = criterion;
@@ -47,6 +48,10 @@ Verdict none_of(const std::string& name, const std::string& criterion, long foun
   verdict.detail = fmt::format("of {}", counted(of, "run", "runs"));
   verdict.message = fmt::format("{} {}", found, verdict.detail);
   verdict.reason = reason;
+  if (of > 0) return verdict;
+  verdict.status = VerdictStatus::not_run;
+  verdict.value = -1;
+  verdict.detail = verdict.message = nothing;
   return verdict;
 }
 
@@ -83,22 +88,16 @@ Json counts_json(const OutcomeCounts& counts, const std::vector<Outcome>& shown)
 std::vector<Verdict> sweep_verdicts(const Sweep& sweep) {
   const long all = std::ssize(sweep.runs);
   const long accurate = count_of(sweep, [](const SweepRun& run) { return run.outcome == Outcome::accurate; });
-  std::vector<Verdict> verdicts{
-      none_of("accurate", "no run ends accurate while a second reference puts it beyond its tolerance",
-              wrongly_accurate(sweep), accurate,
-              "The second reference is by an unlike method; what the two references differ by, at most a "
-              "tenth of the tolerance, is allowed beside it."),
-      none_of("faults", "no run crashes, hangs or throws", faulty(sweep), all,
-              "Every model is run in a process of its own."),
-      none_of("finite", "no run holds a number that is infinite or none", not_finite(sweep), all, ""),
-      none_of("outcomes", "every run ends in one of the seven outcomes", unjudged(sweep), all,
-              "A run that completes is held against a reference.")};
-  if (accurate == 0) {
-    verdicts.front().status = VerdictStatus::not_run;
-    verdicts.front().value = -1;
-    verdicts.front().detail = verdicts.front().message = "no run ended accurate";
-  }
-  return verdicts;
+  return {none_of("accurate", "no run ends accurate while a second reference puts it beyond its tolerance",
+                  wrongly_accurate(sweep), accurate,
+                  "The second reference is by an unlike method; what the two references differ by, at most a "
+                  "tenth of the tolerance, is allowed beside it.",
+                  "no run ended accurate"),
+          none_of("faults", "no run crashes, hangs or throws", faulty(sweep), all,
+                  "Every model is run in a process of its own."),
+          none_of("finite", "no run holds a number that is infinite or none", not_finite(sweep), all, ""),
+          none_of("outcomes", "every run ends in one of the seven outcomes", unjudged(sweep), all,
+                  "A run that completes is held against a reference.")};
 }
 
 SweepResults evaluate_sweep(const Sweep& sweep, const Stages& stages) {
@@ -115,7 +114,7 @@ std::string headline(const SweepResults& results) {
       none_or(not_finite(sweep), "holds a number that is not finite", "hold a number that is not finite"));
   if (const long other = unjudged(sweep); other > 0)
     text += fmt::format(", {} could not be judged", other);
-  else
+  else if (!sweep.runs.empty())
     text += ", and each ends in one of seven outcomes";
   const auto met =
       std::count_if(results.verdicts.begin(), results.verdicts.end(),
@@ -146,7 +145,8 @@ std::vector<Outcome> shown_outcomes(const Sweep& sweep) {
   const OutcomeCounts counts = outcome_counts(sweep);
   std::vector<Outcome> shown;
   for (const Outcome outcome : outcomes())
-    if ((outcome != Outcome::not_run && outcome != Outcome::completed) || counts.contains(outcome))
+    if (counts.contains(outcome) || (outcome != Outcome::not_run && outcome != Outcome::completed &&
+                                     outcome != Outcome::unstable_equilibrium))
       shown.push_back(outcome);
   return shown;
 }
@@ -233,8 +233,8 @@ std::string to_summary(const SweepResults& results) {
   for (const SweepRun& run : sweep.runs) {
     const std::string trouble = trouble_of(run, sweep.spec.tolerance);
     if (trouble.empty() || listed++ >= most_listed) continue;
-    text +=
-        fmt::format("\n- case {}: {}: `{}`", run.number, escape_markdown(trouble), command_of(sweep, run));
+    text += fmt::format("\n- case {}: {}: {}", run.number, escape_markdown(trouble),
+                        markdown_code(command_of(sweep, run)));
   }
   if (listed > most_listed) text += fmt::format("\n- and {} more", listed - most_listed);
   return text + (listed > 0 ? "\n" : "");

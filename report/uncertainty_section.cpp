@@ -136,6 +136,12 @@ std::string uncertainty_section(const Json& uncertainty) {
   values["seconds"] = fmt::format("{:.2g}", uncertainty.at("seconds").get<double>());
   values["has_series"] = !uncertainty.at("series").empty();
   values.set("series", series_rows(uncertainty));
+  data names{data::type::list};
+  if (!uncertainty.at("series").empty())
+    for (const Json& part : uncertainty.at("series")[0].at("parts"))
+      names.push_back(data{"name", text_of(part, "name")});
+  values["part_count"] = std::to_string(names.list_value().size());
+  values.set("part_names", names);
   values.set("hows", how_rows(uncertainty));
   values["has_inputs"] = !sampling.at("inputs").empty();
   values.set("inputs", input_rows(sampling));

@@ -58,7 +58,7 @@ Verdict verdict_of(const VariantResult& variant) {
   verdict.value = 0;
   for (const ExpectationFound& figure : variant.expectations) {
     const double share = std::abs(figure.found - figure.expected.value) / figure.expected.within;
-    if (!(share <= verdict.value)) verdict.value = share;
+    if (!(share <= verdict.value) && !std::isnan(verdict.value)) verdict.value = share;
   }
   verdict.status = variant.met() ? VerdictStatus::passed : VerdictStatus::failed;
   verdict.detail = variant.trajectory.message;

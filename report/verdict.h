@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,17 +28,18 @@ struct Verdict {
   double value = -1;      ///< what was found, in `unit`; -1: not run
   double limit = 0;       ///< what is allowed, in `unit`
   std::string unit;
-  std::string detail;   ///< over how much, where the greatest is; or why it was not run
-  std::string message;  ///< the outcome in words, with the numbers and the detail
-  std::string reason;   ///< why this limit; may be empty
+  std::optional<Coverage> coverage;  ///< of a comparison over time
+  std::string detail;                ///< over how much, where the greatest is; or why it was not run
+  std::string message;               ///< the outcome in words, with the numbers and the detail
+  std::string reason;                ///< why this limit; may be empty
 };
 
 std::string_view word(VerdictKind);
 std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed"
 
 /// A verdict for each comparison of the case: validation against published figures, verification against
-/// computed ones, of the run that is reported and of each given one. Not run where the run did not complete
-/// or does not have every reference time.
+/// computed ones, of the run that is reported and of each given one. Not run where the run did not complete,
+/// is of another cable, or covers too little of what the case claims.
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors);
 
 /// True for a distance that is a finite number of at least 0 and no greater than its limit.

@@ -149,8 +149,9 @@ struct ReferenceUse {
   std::string file;  ///< relative to the case file
   std::vector<Comparison> compare;
   Norm norm = Norm::max;
-  double tolerance = 0;  ///< in the unit of the series, > 0
-  std::string reason;    ///< why this tolerance; may be empty
+  double tolerance = 0;   ///< in the unit of the series, > 0
+  std::string reason;     ///< why this tolerance; may be empty
+  CoverageSpec coverage;  ///< over how much of the reference
 
   friend bool operator==(const ReferenceUse&, const ReferenceUse&) = default;
 };

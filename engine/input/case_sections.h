@@ -28,6 +28,9 @@ MethodSpec read_method(TableReader table, const TimeSpec& time);
 
 std::vector<ProbeSpec> read_probes(std::vector<TableReader> tables);
 
+/// `coverage`, an empty table: all. `times` (s) are those that it is of; one after 0 must be left of them.
+CoverageSpec read_coverage(TableReader table, const std::vector<double>& times, const std::string& whose);
+
 /// What [[reference]] says and the files it names, in the same order.
 struct ReferencesRead {
   std::vector<ReferenceUse> uses;

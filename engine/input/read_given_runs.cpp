@@ -194,13 +194,16 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
     spec.name = name_given ? table.text("name", "a name") : std::filesystem::path(spec.file).stem().string();
     spec.program = table.optional_prose("program");
     const TableReader columns = table.table("columns"), units = table.table("units"),
-                      tolerances = table.table("tolerances");
+                      tolerances = table.table("tolerances"), coverage = table.table("coverage");
+    const bool has_coverage = table.has("coverage");
     spec.reason = table.optional_prose("reason");
     table.finish();
     check_name(table, spec.name, name_given, read.specs);
     spec.columns = read_texts(columns, keys);
     spec.units = read_texts(units, keys);
     spec.tolerances = read_tolerances(tolerances, probes);
+    if (has_coverage && spec.tolerances.empty())
+      table.refuse_value("coverage", "belongs to tolerances, of which the run has none");
 
     FileText file = text_of(spec.file);
     if (!file.failure.empty()) table.refuse_value("file", "cannot be read: " + file.failure);
@@ -208,6 +211,7 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
                     std::move(file.text)};
     if (named.text.empty()) table.refuse_value("file", "is empty");
     GivenRun run = RunReader(table, columns, units, spec, *read_given_table(named), probes).read();
+    spec.coverage = read_coverage(coverage, run.times, spec.file);
     for (const std::string& note : run.notes) read.remarks.push_back(spec.file + ": " + note);
 
     const auto same_file = [&](const NamedText& text) { return text.name == spec.file; };

@@ -80,6 +80,7 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     use.norm = table.choice<Norm>("norm", Norm::max);
     use.tolerance = table.number("tolerance", Range::positive("the unit of the series"));
     use.reason = table.optional_prose("reason");
+    const TableReader coverage = table.table("coverage");
     table.finish();
 
     check_name(table, use.name, name_given, read.uses);
@@ -92,12 +93,17 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     Reference reference = read_reference({shown_name, file.text});
     check_series(compare, use, reference, probes);
 
-    const auto beyond = std::upper_bound(reference.times.begin(), reference.times.end(), time.end);
-    if (beyond != reference.times.end()) {
-      read.remarks.push_back(
-          fmt::format("{} of the {} times of {} are beyond the end of the run, {} s, and not used",
-                      reference.times.end() - beyond, reference.times.size(), use.file, time.end));
-    }
+    use.coverage = read_coverage(coverage, reference.times, use.file);
+
+    constexpr double rounding = 1e-9;
+    const auto beyond = std::count_if(reference.times.begin(), reference.times.end(), [&](double t) {
+      return t > time.end * (1 + rounding) && use.coverage.has(t);
+    });
+    if (beyond > 0)
+      read.remarks.push_back(fmt::format(
+          "{} of the {} times of {} are beyond the end of the run, {} s: a criterion is not run unless its "
+          "coverage says that it claims less",
+          beyond, reference.times.size(), use.file, time.end));
     const auto same_file = [&](const NamedText& text) { return text.name == use.file; };
     if (std::none_of(read.texts.begin(), read.texts.end(), same_file))
       read.texts.push_back({use.file, file.text});

@@ -17,8 +17,8 @@ constexpr std::size_t longest_name = 80;
 
 std::vector<std::string> possible_outcomes() {
   std::vector<std::string> words;
-  for (const Outcome outcome :
-       {Outcome::completed, Outcome::unstable, Outcome::diverged, Outcome::no_convergence, Outcome::singular})
+  for (const Outcome outcome : {Outcome::completed, Outcome::unstable, Outcome::diverged,
+                                Outcome::no_convergence, Outcome::singular, Outcome::unstable_equilibrium})
     words.emplace_back(word(outcome));
   return words;
 }

@@ -1,10 +1,24 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace plumb {
+
+/// `coverage` of a [[reference]] or a [[run]]: how much of what is compared the case claims, where that is
+/// less than all of it.
+struct CoverageSpec {
+  std::optional<double> from;  ///< s, ≥ 0; nothing: from the first time
+  std::optional<double> to;    ///< s, > `from`; nothing: to the last time
+  double share = 1;            ///< of the times between, that must be compared, in (0, 1]
+
+  /// True for a time (s) within, but for rounding.
+  bool has(double t) const;
+
+  friend bool operator==(const CoverageSpec&, const CoverageSpec&) = default;
+};
 
 /// [[run]]: a trajectory that another program computed, reported on as one of Plumb's own.
 struct GivenRunSpec {
@@ -16,7 +30,8 @@ struct GivenRunSpec {
   std::map<std::string, std::string> units;  ///< "t" or a column of the probes -> its unit in the file
   /// Column of the probes -> how far it may be from the run that is reported, in the column's unit, > 0.
   std::map<std::string, double> tolerances;
-  std::string reason;  ///< why these tolerances; may be empty
+  CoverageSpec coverage;  ///< over how much these tolerances hold
+  std::string reason;     ///< why these tolerances; may be empty
 
   friend bool operator==(const GivenRunSpec&, const GivenRunSpec&) = default;
 };

@@ -56,6 +56,10 @@ class Adviser {
         limit_(stability_limit(method)) {}
 
   std::string on(Outcome outcome) const {
+    if (outcome == Outcome::unstable_equilibrium)
+      return "smaller steps of the load, a small force across that says to which side the cable gives way, "
+             "or "
+             "a smaller load";
     if (!info_.dynamic && outcome >= Outcome::unstable && outcome != Outcome::out_of_time)
       return "a smaller load, more elements, or smaller steps of the load";
     switch (outcome) {
@@ -72,6 +76,7 @@ class Adviser {
       case Outcome::completed:
       case Outcome::accurate:
       case Outcome::inaccurate:
+      case Outcome::unstable_equilibrium:
         break;
     }
     return "";

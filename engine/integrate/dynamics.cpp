@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/model/inertia.h"
+
 namespace plumb {
 
 Dynamics::Dynamics(const Cable& cable)
@@ -63,6 +65,12 @@ std::optional<int> Dynamics::factor_indefinite(const Eigen::VectorXd& q, double 
   ++counters.factorizations;
   assemble(q, mass_factor, stiffness_factor);
   return lu_.factor(GeneralBlockTridiagonal<double>(*system_));
+}
+
+std::optional<int> Dynamics::negative_eigenvalues() const {
+  if (definite_) return 0;
+  const std::optional<int> counted = plumb::negative_eigenvalues(*system_);
+  return counted == 0 ? std::nullopt : counted;
 }
 
 void Dynamics::solve(Eigen::VectorXd& x) const {

@@ -34,6 +34,10 @@ class Dynamics {
   [[nodiscard]] std::optional<int> factor(const Eigen::VectorXd& q, double mass_factor,
                                           double stiffness_factor);
 
+  /// Negative eigenvalues of the S that was factored last: 0 only where it is positive definite, nothing
+  /// where they cannot be counted.
+  std::optional<int> negative_eigenvalues() const;
+
   /// x := S⁻¹ x; x must be free of what the supports hold.
   void solve(Eigen::VectorXd& x) const;
 

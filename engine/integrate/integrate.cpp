@@ -143,6 +143,10 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
         record_constraints(cable, *integrator, now.t, lambda, result);
       } else {
         integrator->interpolate(outputs[next], between);
+        if (last = integrator->interpolated(); !last.ok()) {
+          failed_step = dynamics.counters.steps;
+          break;
+        }
         record(cable, outputs[next], between, result);
         record_constraints(cable, *integrator, outputs[next], lambda, result);
         ++result.interpolated_outputs;

@@ -35,6 +35,9 @@ class Method {
   /// The state at t (s) within the last step, by the interpolation that suits the method.
   virtual void interpolate(double t, State& at) const = 0;
 
+  /// Whether the state that `interpolate` gave last may be shown; where not, why.
+  virtual StepResult interpolated() const { return {}; }
+
   /// True where a step should end on every output time because interpolation would cost accuracy.
   virtual bool stops_at_outputs() const { return false; }
 

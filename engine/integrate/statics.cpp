@@ -43,10 +43,11 @@ class Statics : public Method {
     const FixedSteps::Step next = steps_.next(now_.t, stop);
     end_ = stop;
     const double reached = now_.t / stop, wanted = next.end / stop;
-    StepResult result = solve(wanted);
+    StepResult result = solve(now_.q, wanted);
     if (!result.ok()) {
-      result.reason = fmt::format("equilibrium was reached at {:.6g} of the load and not at {:.6g} of it: {}",
-                                  reached, wanted, result.reason);
+      result.reason = fmt::format(
+          "{}equilibrium was reached at {:.6g} of the load and not at {:.6g} of it: {}",
+          result.outcome == Outcome::unstable_equilibrium ? "a stable " : "", reached, wanted, result.reason);
       return result;
     }
     before_.t = next.end;
@@ -57,31 +58,55 @@ class Statics : public Method {
   }
 
   /// Finds the equilibrium at the load of that time: between two load steps a cable turns, which no mean of
-  /// its coordinates does without stretching it. Where there is none, that mean.
+  /// its coordinates does without stretching it.
   void interpolate(double t, State& at) const override {
-    const double x = (t - before_.t) / (now_.t - before_.t);
+    interpolated_ = solve(now_.q, t / end_);
+    if (!interpolated_.ok() && !solve(before_.q, t / end_).ok()) {
+      interpolated_.reason = fmt::format("no equilibrium to be shown was found at {:.6g} of the load: {}",
+                                         t / end_, interpolated_.reason);
+      return;
+    }
+    interpolated_ = {};
     at.t = t;
+    at.q = q_;
     at.v = now_.v;
-    if (solve(t / end_).ok())
-      at.q = q_;
-    else
-      at.q = (1 - x) * before_.q + x * now_.q;
   }
+
+  StepResult interpolated() const override { return interpolated_; }
 
  private:
-  /// Leaves the equilibrium in q_. Whole corrections come first: they overshoot and come back where a cable
-  /// that hardly stretches bends, which halved ones crawl along.
-  StepResult solve(double fraction) const {
-    StepResult result = iterate(fraction, false);
-    if (result.outcome == Outcome::singular || (result.ok() && !reversed())) return result;
-    result = iterate(fraction, true);
-    if (result.outcome == Outcome::no_convergence) explain(fraction, result);
-    return result;
+  /// Leaves a stable equilibrium in q_, found from the one at `from`. Whole corrections come first: they
+  /// overshoot and come back where a cable that hardly stretches bends, which halved ones crawl along.
+  StepResult solve(const Eigen::VectorXd& from, double fraction) const {
+    StepResult whole = iterate(from, fraction, false);
+    if (whole.outcome == Outcome::singular) return whole;
+    if (whole.ok() && !reversed(from)) {
+      whole = stability();
+      if (whole.ok()) return whole;
+    }
+    StepResult halved = iterate(from, fraction, true);
+    if (halved.ok()) halved = stability();
+    if (halved.ok() || whole.outcome != Outcome::unstable_equilibrium) whole = halved;
+    if (whole.outcome == Outcome::no_convergence) explain(fraction, whole);
+    return whole;
   }
 
-  StepResult iterate(double fraction, bool halved) const {
+  /// Whether the cable would stay at the equilibrium q_.
+  StepResult stability() const {
+    if (const auto node = dynamics_.factor(q_, 0, 1)) return singular(*node);
+    const std::optional<int> negative = dynamics_.negative_eigenvalues();
+    if (negative == 0) return {};
+    return {
+        Outcome::unstable_equilibrium,
+        "an equilibrium is there that the cable would leave at the least disturbance: the stiffness has " +
+            (negative ? fmt::format("{} negative eigenvalue{}", *negative, *negative == 1 ? "" : "s")
+                      : "an eigenvalue that is not positive"),
+        -1};
+  }
+
+  StepResult iterate(const Eigen::VectorXd& from, double fraction, bool halved) const {
     const Cable& cable = dynamics_.cable();
-    q_ = now_.q;
+    q_ = from;
     CorrectionSize correction;
     double last = 0;  // size of the correction before this one
     if (const auto collapsed = residual(q_, fraction))
@@ -114,9 +139,9 @@ class Statics : public Method {
 
   /// True where an element points the other way than before the load step. A pressed bar turned inside out is
   /// in equilibrium, but not with what it was.
-  bool reversed() const {
+  bool reversed(const Eigen::VectorXd& from) const {
     for (Eigen::Index at = 6; at < q_.size(); at += 6) {
-      const Vec3 was = now_.q.segment<3>(at) - now_.q.segment<3>(at - 6);
+      const Vec3 was = from.segment<3>(at) - from.segment<3>(at - 6);
       if (was.dot(q_.segment<3>(at) - q_.segment<3>(at - 6)) <= 0) return true;
     }
     return false;
@@ -184,6 +209,7 @@ class Statics : public Method {
   State before_, now_;
   double end_ = 0;                                                // of the run, s
   mutable Eigen::VectorXd q_, trial_, residual_, change_, next_;  // scratch
+  mutable StepResult interpolated_;
 };
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace plumb {
 std::span<const Outcome> outcomes() {
   static constexpr std::array all{Outcome::not_run,        Outcome::completed, Outcome::accurate,
                                   Outcome::inaccurate,     Outcome::unstable,  Outcome::diverged,
-                                  Outcome::no_convergence, Outcome::singular,  Outcome::out_of_time};
+                                  Outcome::no_convergence, Outcome::singular,  Outcome::unstable_equilibrium,
+                                  Outcome::out_of_time};
   return all;
 }
 
@@ -31,6 +32,8 @@ std::string_view word(Outcome outcome) {
       return "no-convergence";
     case Outcome::singular:
       return "singular";
+    case Outcome::unstable_equilibrium:
+      return "unstable-equilibrium";
     case Outcome::out_of_time:
       return "out-of-time";
   }

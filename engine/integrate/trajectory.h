@@ -18,14 +18,16 @@ enum class Outcome {
   diverged,        ///< the state is not finite
   no_convergence,  ///< Newton's iteration or the library's solver gave up
   singular,        ///< the slope of an element collapsed, or the matrix is singular
-  out_of_time,     ///< the time that was allowed for the run is over
+  /// an equilibrium was found that the cable would leave: its stiffness is not positive definite
+  unstable_equilibrium,
+  out_of_time,  ///< the time that was allowed for the run is over
 };
 
 /// Every outcome, in the order above.
 std::span<const Outcome> outcomes();
 
 /// "not-run", "completed", "accurate", "inaccurate", "unstable", "diverged", "no-convergence", "singular",
-/// "out-of-time".
+/// "unstable-equilibrium", "out-of-time".
 std::string_view word(Outcome);
 
 /// What an integration cost. -1: not counted, or not run.

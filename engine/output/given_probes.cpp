@@ -1,5 +1,6 @@
 #include "engine/output/given_probes.h"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -25,6 +26,27 @@ ProbeTable probe(const GivenRun& given, const std::vector<double>& times) {
     Column sampled{column.name, column.unit, {}};
     const TimeInterpolation interpolation(given.times, column.values);
     for (const double t : times) sampled.values.push_back(interpolation.value(t));
+    table.columns.push_back(std::move(sampled));
+  }
+  return table;
+}
+
+ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& outputs) {
+  const auto every_second = [](const std::vector<double>& all, std::size_t first) {
+    std::vector<double> some;
+    for (std::size_t k = first; k < all.size(); k += 2) some.push_back(all[k]);
+    return some;
+  };
+  const std::array times{every_second(given.times, 0), every_second(given.times, 1)};
+  ProbeTable table;
+  for (const std::size_t k : outputs) table.times.push_back(given.times[k]);
+  for (const GivenColumn& column : given.columns) {
+    const std::array values{every_second(column.values, 0), every_second(column.values, 1)};
+    Column sampled{column.name, column.unit, {}};
+    for (const std::size_t k : outputs) {
+      const std::size_t others = (k + 1) % 2;
+      sampled.values.push_back(TimeInterpolation(times[others], values[others]).value(given.times[k]));
+    }
     table.columns.push_back(std::move(sampled));
   }
   return table;

@@ -14,6 +14,10 @@ ProbeTable probe(const GivenRun& given);
 /// std::out_of_range for a time outside.
 ProbeTable probe(const GivenRun& given, const std::vector<double>& times);
 
+/// What a given run would have at some of its times, none of them the first or the last, if it had only every
+/// second one: interpolated between those before and after.
+ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& outputs);
+
 /// The first given run of a case without [method] as the run that is reported: completed, with neither states
 /// nor energies nor counters.
 Run reported_run(LoadedCase loaded, Provenance provenance);

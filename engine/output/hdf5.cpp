@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -33,6 +35,9 @@ void require(herr_t status, const std::string& what) {
 }
 
 void silence() {
+  // What it would tidy up at the end is the system's by then, and where memory had run out it crashes over
+  // it.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -57,6 +62,25 @@ Handle space_of(const std::vector<hsize_t>& shape) {
 
 hsize_t count_of(const std::vector<hsize_t>& shape) {
   return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+}
+
+/// The library does not bear that memory runs out within it: so much is asked for and given back before.
+/// Throws std::bad_alloc.
+void must_have_room(std::size_t bytes) {
+  constexpr std::size_t own_needs = 4 << 20;
+  const std::unique_ptr<char[]> room(new char[bytes + own_needs]);
+  // Not to be left out.
+  static_cast<volatile char*>(room.get())[0] = 0;
+}
+
+/// Calls what makes a part of a file in memory, which fails for want of memory alone. Throws std::bad_alloc.
+template <class Make>
+auto make_in_memory(Make make) {
+  try {
+    return make();
+  } catch (const std::runtime_error&) {
+    throw std::bad_alloc();
+  }
 }
 
 void write(hid_t file, const std::string& path, hid_t type, const std::vector<hsize_t>& shape,
@@ -96,7 +120,12 @@ OpenSet open(hid_t file, const std::string& path, H5T_class_t expected) {
 }  // namespace
 
 Writer::Writer() {
+  must_have_room(0);
   silence();
+  make_in_memory([this] { open_empty(); });
+}
+
+void Writer::open_empty() {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "cannot make a file in memory");
   constexpr std::size_t growth = 1 << 20;
   require(H5Pset_fapl_core(access, growth, false), "cannot make a file in memory");
@@ -110,41 +139,48 @@ Writer::~Writer() {
 
 void Writer::numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
                      std::string_view unit) {
-  write(file_, path, H5T_NATIVE_DOUBLE, shape, values, unit);
+  must_have_room(2 * sizeof(double) * count_of(shape));
+  make_in_memory([&] { write(file_, path, H5T_NATIVE_DOUBLE, shape, values, unit); });
 }
 
 void Writer::integer(const std::string& path, long value) {
-  write(file_, path, H5T_NATIVE_LONG, {}, &value, "1");
+  make_in_memory([&] { write(file_, path, H5T_NATIVE_LONG, {}, &value, "1"); });
 }
 
 void Writer::integers(const std::string& path, const std::vector<long>& values) {
-  write(file_, path, H5T_NATIVE_LONG, {values.size()}, values.data(), "1");
+  make_in_memory([&] { write(file_, path, H5T_NATIVE_LONG, {values.size()}, values.data(), "1"); });
 }
 
 void Writer::text(const std::string& path, std::string_view value) {
   const std::string terminated(value);
   const char* pointer = terminated.c_str();
-  write(file_, path, string_type(), {}, &pointer, "text");
+  make_in_memory([&] { write(file_, path, string_type(), {}, &pointer, "text"); });
 }
 
 void Writer::texts(const std::string& path, const std::vector<std::string>& values) {
   std::vector<const char*> pointers;
   for (const std::string& value : values) pointers.push_back(value.c_str());
-  write(file_, path, string_type(), {values.size()}, pointers.data(), "text");
+  make_in_memory([&] { write(file_, path, string_type(), {values.size()}, pointers.data(), "text"); });
 }
 
 void Writer::bytes(const std::string& path, std::string_view value) {
-  write(file_, path, H5T_NATIVE_UCHAR, {value.size()}, value.data(), "bytes");
+  make_in_memory([&] { write(file_, path, H5T_NATIVE_UCHAR, {value.size()}, value.data(), "bytes"); });
 }
 
 std::string Writer::bytes() {
-  require(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot finish the file");
-  const auto size = H5Fget_file_image(file_, nullptr, 0);
-  if (size < 0) throw std::runtime_error("cannot finish the file");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file_, image.data(), image.size()) != size)
-    throw std::runtime_error("cannot finish the file");
-  return image;
+  // So that a check sum can be added without a copy.
+  constexpr std::size_t room = 64;
+  return make_in_memory([&] {
+    require(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot finish the file");
+    const auto size = H5Fget_file_image(file_, nullptr, 0);
+    if (size < 0) throw std::runtime_error("cannot finish the file");
+    std::string image;
+    image.reserve(static_cast<std::size_t>(size) + room);
+    image.resize(static_cast<std::size_t>(size));
+    if (H5Fget_file_image(file_, image.data(), image.size()) != size)
+      throw std::runtime_error("cannot finish the file");
+    return image;
+  });
 }
 
 Reader::Reader(const std::string& bytes) {

@@ -10,7 +10,8 @@
 /// throws std::runtime_error with the name of what failed; the library's own messages are silenced.
 namespace plumb::hdf5 {
 
-/// A file built in memory, so that the disk sees one plain write that can fail in one plain way.
+/// A file built in memory, so that the disk sees one plain write that can fail in one plain way. Throws
+/// std::bad_alloc where the memory for it is not there.
 class Writer {
  public:
   Writer();
@@ -35,6 +36,8 @@ class Writer {
   std::string bytes();
 
  private:
+  void open_empty();
+
   hid_t file_;
 };
 

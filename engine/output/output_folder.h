@@ -1,42 +1,92 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/output/folder_survey.h"
+#include "engine/output/manifest.h"
+#include "engine/output/part_folder.h"
 
 namespace plumb {
 
-/// A folder of results in the making. Files are written into a temporary folder beside it, which takes its
-/// place as a whole: whoever looks sees the old folder or the new one, and an interrupted run leaves the old
-/// one or none.
+/// What an output folder is used for.
+struct FolderUse {
+  FolderContent content = FolderContent::results;
+  /// Files that are read and must stay what they are.
+  std::vector<std::string> reads = {};
+  /// Files that the content is made from. Where they lie in the folder they may be written again if they are
+  /// ours, and are left as they are if they are not.
+  std::vector<std::string> sources = {};
+  /// Files of the folder that are ours stay unless they are written again.
+  bool adds = false;
+  /// The folder may hold files of others even without a manifest.
+  bool beside_others = false;
+  /// Is told what was found and done that the user may not have expected, a sentence each.
+  std::function<void(const std::string&)> remark = {};
+};
+
+/// A folder of results in the making. Files are written into a temporary folder, and are put in place
+/// together by commit(): whoever looks sees the old folder or the new one, and an interrupted program leaves
+/// the old one or none. Where the folder holds files of others, or is the one that the program stands in,
+/// files are put in place one after another instead, and each is the old or the new one; the manifest lists
+/// both until that is done.
+///
+/// Nothing that is not ours is ever replaced or removed: of what is there only files that manifest.json lists
+/// and that still are what it says.
 class OutputFolder {
  public:
-  /// Throws OutputError if `path` exists and is neither empty nor an output folder (one with a run.h5, a
-  /// study.h5 or a study.json): it is not ours to replace; if it is a mount point; or if the temporary folder
-  /// cannot be made. Links are followed.
-  explicit OutputFolder(std::string path);
+  /// Links to the folder are followed, none in it. Throws OutputError, before anything is done: if `path` is
+  /// a file; if it is not empty and has no manifest.json of ours; or if a file that is not ours, or was
+  /// changed since, has a name that `use` may write; or if the temporary folder cannot be made. Throws
+  /// UsageError if a file that is read would be replaced.
+  explicit OutputFolder(const std::string& path, FolderUse use = {});
 
   /// Removes the temporary folder unless it was committed.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Takes a file of the folder that will be replaced over into the new one, if there is one.
+  /// Throws as the constructor does, and makes nothing.
+  static void check(const std::string& path, const FolderUse& use);
+
+  /// Writes a file of the folder: "frames/0000.png". Throws WriteError that names where it will be.
+  void write(const std::string& name, std::string_view bytes);
+
+  /// Whether a file was written and is still to be put in place.
+  bool holds(const std::string& name) const { return part_ != nullptr && written_.contains(name); }
+
+  /// A file that was written. Throws WriteError if it cannot be read.
+  std::string read(const std::string& name) const;
+
+  /// Takes a file of the folder over into the new one, if there is one and it is ours.
   void keep(const std::string& name);
 
-  /// Where to write for now.
-  const std::string& working_path() const { return working_; }
-  /// Where it will be.
+  /// Where it will be, with all links followed.
   const std::string& path() const { return path_; }
 
-  /// Path of a file in the folder for now; makes the folders on the way to it.
-  std::string file(const std::string& name) const;
-
-  /// Puts the new folder in the place of the old one. Throws OutputError.
+  /// Puts the new files in the place of the old ones. Throws OutputError; all is as it was then.
   void commit();
 
  private:
+  OutputFolder(const std::string& path, FolderUse use, bool only_checks);
+
+  void put(const std::string& name, std::string_view bytes);
+  FolderSurvey look() const;
+  bool is_source(const std::string& name) const;
+  void refuse_conflicts(const FolderSurvey& survey) const;
+  void refuse_taken_names(const FolderSurvey& survey);
+  [[noreturn]] void refuse(const std::string& name, bool changed) const;
+  [[noreturn]] void fail(const std::string& name, int error) const;
+  std::string set_aside();
+
   std::string path_;
-  std::string working_;
-  bool committed_ = false;
+  FolderUse use_;
+  std::unique_ptr<PartFolder> part_;
+  ListedFiles ours_;  ///< when it was made
+  ListedFiles written_;
 };
 
 }  // namespace plumb

@@ -80,6 +80,21 @@ ProbeTable probe(const Case& spec, const Trajectory& trajectory, const std::vect
   return table;
 }
 
+ProbeTable probe_without(const Case& spec, const Trajectory& trajectory,
+                         const std::vector<std::size_t>& outputs) {
+  const Cable cable(spec);
+  ProbeTable table = empty_table(spec);
+  const auto output = [&](std::size_t k) {
+    return State{trajectory.times[k], trajectory.q[k], trajectory.v[k]};
+  };
+  State state;
+  for (const std::size_t k : outputs) {
+    hermite_in_time(output(k - 1), output(k + 1), trajectory.times[k], state);
+    add_row(spec, cable, state.t, state.q, state.v, table);
+  }
+  return table;
+}
+
 std::string to_csv(const ProbeTable& table) {
   std::string text = "t [s]";
   for (const Column& column : table.columns) text += fmt::format(",{} [{}]", column.name, column.unit);

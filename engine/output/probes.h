@@ -33,6 +33,11 @@ ProbeTable probe(const Case& spec, const Trajectory& trajectory);
 /// std::out_of_range for a time outside.
 ProbeTable probe(const Case& spec, const Trajectory& trajectory, const std::vector<double>& times);
 
+/// What the probes would see at some outputs, none of them the first or the last, if the run did not have
+/// them: interpolated as above between the output before and the one after.
+ProbeTable probe_without(const Case& spec, const Trajectory& trajectory,
+                         const std::vector<std::size_t>& outputs);
+
 /// Comma-separated values: the header "t [s],mid.x [m],…" and a row an output time, 17 significant digits.
 std::string to_csv(const ProbeTable& table);
 

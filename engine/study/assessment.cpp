@@ -8,6 +8,8 @@
 
 #include "engine/errors.h"
 #include "engine/input/place.h"
+#include "engine/output/known_time.h"
+#include "engine/input/parse_json.h"
 #include "engine/study/budget_json.h"
 #include "engine/study/json_numbers.h"
 #include "engine/study/uncertainty_json.h"
@@ -31,10 +33,14 @@ void check_series(const SeriesUncertainty& series, const Run& run) {
           use->compare.end())
     refuse_other_run(name + " is not compared");
   const Reference& reference = run.loaded.references[static_cast<std::size_t>(use - spec.references.begin())];
-  const std::vector<double>& data = reference.find(series.series)->values;
-  if (series.times.size() > data.size() || run.trajectory.times.empty() ||
-      series.times.back() > run.trajectory.times.back())
-    refuse_other_run(name + " has other times");
+  const std::vector<double>& values = reference.find(series.series)->values;
+  std::vector<double> data;
+  for (const double t : series.times) {
+    const std::optional<KnownTime> known = known_time(reference.times, t);
+    if (!known || !known->output || run.trajectory.times.empty() || t > run.trajectory.times.back())
+      refuse_other_run(name + " has other times");
+    data.push_back(values[known->before]);
+  }
   // What is stored repeats to the last digit, but for another processor's rounding.
   constexpr double rounding = 1e-9;
   const std::vector<double> seen = probe(spec, run.trajectory, series.times).find(series.column)->values;
@@ -58,8 +64,8 @@ void check_budget(const ErrorBudget& budget, const Case& spec) {
     refuse_other_run("the case has another error budget");
 }
 
-Assessment read(const std::string& text, const Run& run) {
-  const Json json = Json::parse(text);
+Assessment read(const std::string& text, const std::string& file, const Run& run) {
+  const Json json = parse_json<Json>(text, file);
   if (json.at("kind").get<std::string>() != "assessment") throw std::runtime_error("it is no assessment");
   if (const int version = json.at("version").get<int>(); version < 1 || version > assessment_version)
     throw std::runtime_error(
@@ -87,11 +93,9 @@ std::string encode_assessment(const Assessment& assessment) {
 
 Assessment decode_assessment(const std::string& text, const std::string& file, const Run& run) {
   try {
-    return read(text, run);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    return read(text, file, run);
+  } catch (...) {
+    refuse_unusable(file);
   }
 }
 

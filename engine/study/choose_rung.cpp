@@ -24,8 +24,10 @@ constexpr int coarsest = 1, finest = 256;
 /// Meshes below this are too coarse to tell anything by how they agree.
 constexpr int telling = 4;
 
-/// Greatest value up to each frame.
+/// Greatest value up to each frame; what is not a number is without end.
 std::vector<double> so_far(std::vector<double> values) {
+  for (double& value : values)
+    if (std::isnan(value)) value = infinity;
   for (std::size_t k = 1; k < values.size(); ++k) values[k] = std::max(values[k], values[k - 1]);
   return values;
 }
@@ -140,9 +142,11 @@ class Search {
   }
 
   void estimate(Member& member) const {
-    if (!completed(member) || finest_ == nullptr) return;
+    // One that has not every frame, or none, is not estimated.
+    if (!completed(member) || finest_ == nullptr || own_.empty() || member.distances.size() != own_.size())
+      return;
     double estimate = 0, until = 0;
-    for (std::size_t k = 0; k < std::min(own_.size(), member.distances.size()); ++k) {
+    for (std::size_t k = 0; k < own_.size(); ++k) {
       estimate = member.distances[k] + own_[k];
       if (economy_safety * estimate <= result_.tolerance)
         until = std::min(static_cast<double>(k) / spec_.scene.frame_rate, spec_.time.end);

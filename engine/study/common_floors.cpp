@@ -14,7 +14,8 @@ constexpr double same_level = 1.5;
 std::optional<double> level(const std::vector<double>& errors) {
   constexpr std::ptrdiff_t runs = 3;
   std::vector<double> usable;
-  std::copy_if(errors.begin(), errors.end(), std::back_inserter(usable), [](double e) { return e > 0; });
+  std::copy_if(errors.begin(), errors.end(), std::back_inserter(usable),
+               [](double e) { return e > 0 && std::isfinite(e); });
   if (std::ssize(usable) < runs) return {};
   const auto last = usable.end() - runs;
   const auto [low, high] = std::minmax_element(last, usable.end());

@@ -65,7 +65,7 @@ class Search {
     Outcome outcome = run.outcome;
     if (outcome == Outcome::completed && found_.limit_kind == LimitKind::vibration)
       for (const Energies& energies : run.energies)
-        if (energies.total() - run.energies.front().total() > energy_share * run.kinetic_scale())
+        if (!(energies.total() - run.energies.front().total() <= energy_share * run.kinetic_scale()))
           outcome = Outcome::unstable;
     if (outcome == Outcome::completed) {
       found_.stable = step;

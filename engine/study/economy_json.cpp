@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "engine/errors.h"
 #include "engine/input/case_words.h"
+#include "engine/input/parse_json.h"
 #include "engine/integrate/method_info.h"
 #include "engine/output/provenance.h"
 #include "engine/study/economy_ladder.h"
@@ -101,10 +103,12 @@ class Hash {
 
 std::optional<Economy> with_key(const std::string& text, const char* name, const std::string& key) {
   try {
-    const Json json = Json::parse(text);
+    const auto json = parse_json<Json>(text, "choice.json");
     if (json.at("kind") != "choice" || json.at("version") != choice_version || json.at(name) != key)
       return {};
     return economy_of(json.at("economy"));
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception&) {
     return {};
   }

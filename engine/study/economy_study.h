@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct SceneNeed {
   /// Greatest ratio of a true error, less what the reference may be off by, to its estimate, over all that
   /// was tried and has both.
   double worst_ratio() const;
+  /// Over how many that is; 0 where what the reference may be off by is not known.
+  long proven_rungs() const;
 };
 
 /// A random scene and what became of it.
@@ -37,8 +40,11 @@ struct RandomScene {
   double search_share = -1;            ///< of the predicted cost of one run at the safe default
   std::string uncertain;               ///< where it does not hold
 
-  /// The search says that it holds, and it does not.
-  bool missed() const { return holds && !(true_error <= tolerance); }
+  /// The search says that it holds, and it does not, or nothing shows that it does.
+  bool missed() const {
+    const bool known = reference_doubt >= 0 && std::isfinite(reference_doubt) && true_error >= 0;
+    return holds && !(known && true_error <= tolerance);
+  }
 };
 
 /// What scenes of one case need, each proven by a reference, and random ones.

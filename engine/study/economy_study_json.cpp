@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/study/case_source_json.h"
 #include "engine/study/economy_json.h"
@@ -60,8 +61,8 @@ RandomScene scene_of(const Json& json) {
   return scene;
 }
 
-EconomyStudy read(const std::string& text) {
-  const Json json = Json::parse(text);
+EconomyStudy read(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file);
   if (json.at("kind") != economy_kind) throw std::runtime_error("it is no economy study");
   if (const int version = json.at("version"); version != economy_study_version)
     throw std::runtime_error(
@@ -109,11 +110,9 @@ std::string encode_economy_study(const EconomyStudy& study) {
 
 EconomyStudy decode_economy_study(const std::string& json, const std::string& file) {
   try {
-    return read(json);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    return read(json, file);
+  } catch (...) {
+    refuse_unusable(file);
   }
 }
 

@@ -13,15 +13,15 @@ GridConvergence grid_convergence(double change21, double change32, double ratio2
   constexpr int most_iterations = 1000;
   constexpr double tolerance = 1e-13;
   double p = 1;
-  for (int k = 0; k < most_iterations; ++k) {
+  bool settled = false;
+  for (int k = 0; k < most_iterations && !settled; ++k) {
     if (!(p > 0)) return {};
     const double q = std::log(std::expm1(p * std::log(ratio21)) / std::expm1(p * std::log(ratio32)));
     const double next = std::abs(changes + q) / std::log(ratio21);
-    const bool settled = std::abs(next - p) <= tolerance * p;
+    settled = std::abs(next - p) <= tolerance * p;
     p = next;
-    if (settled) break;
   }
-  if (!std::isfinite(p)) return {};
+  if (!settled || !std::isfinite(p)) return {};
   GridConvergence result;
   result.order = p;
   result.error = change21 / std::expm1(p * std::log(ratio21));

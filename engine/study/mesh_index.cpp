@@ -32,9 +32,10 @@ double counted_order(double order) {
 
 MeshIndex mesh_index(const std::vector<double>& fine, const std::vector<double>& medium,
                      const std::vector<double>& coarse, OfThree of) {
+  MeshIndex result;
+  if (fine.empty()) return result;
   const std::vector<double> change21 = greatest_changes(fine, medium);
   const std::vector<double> change32 = greatest_changes(medium, coarse);
-  MeshIndex result;
   result.order =
       grid_convergence(change21.back(), change32.back(), mesh_ratio, mesh_ratio, certain_factor).order;
   if (result.order < 0) return result;

@@ -30,7 +30,7 @@ double counted_order(double order);
 ///   F ε₂₁/(2^p − 1) for the finest, F ε₃₂ 2^p/(2^p − 1) for the coarsest,
 /// with the order p from the greatest changes ε₂₁, ε₃₂ over all times, by grid_convergence(), and each change
 /// taken as the greatest up to that time: where curves cross, nothing is certain. The three have as many
-/// values, one or more.
+/// values; of none there is no order.
 MeshIndex mesh_index(const std::vector<double>& fine, const std::vector<double>& medium,
                      const std::vector<double>& coarse, OfThree of);
 

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "engine/interrupt.h"
+
 namespace plumb {
 
 void for_each_in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -16,6 +18,7 @@ void for_each_in_parallel(std::size_t count, const std::function<void(std::size_
   const auto take = [&] {
     for (std::size_t k = next++; k < count; k = next++) {
       try {
+        stop_if_interrupted();
         work(k);
       } catch (...) {
         const std::lock_guard lock(guard);
@@ -28,7 +31,11 @@ void for_each_in_parallel(std::size_t count, const std::function<void(std::size_
     std::vector<std::jthread> threads;
     const std::size_t wanted =
         std::min<std::size_t>(count, std::max(1U, std::thread::hardware_concurrency()));
-    for (std::size_t k = 1; k < wanted; ++k) threads.emplace_back(take);
+    try {
+      for (std::size_t k = 1; k < wanted; ++k) threads.emplace_back(take);
+    } catch (const std::exception&) {
+      // No more threads, nor memory for them, are to be had: those there are, this one among them, do all.
+    }
     take();
   }
   if (failure) std::rethrow_exception(failure);

@@ -139,6 +139,9 @@ ErrorBudget run_budget(const LoadedCase& loaded, const BudgetProgress& progress)
   if (!budget.left_out.empty()) budget.left_out = "the reference is for another cable: " + budget.left_out;
   if (reference.times.front() > loaded.spec.time.end)
     budget.left_out = "no time of the reference is within the run";
+  else if (const std::vector<double> times = within(reference.times, loaded.spec.time.end);
+           !(times.back() > 0))
+    budget.left_out = "no time of the reference is within the run but the start";
   if (!budget.left_out.empty()) return budget;
 
   const std::vector<std::size_t> order = longest_first(all);

@@ -22,12 +22,14 @@ namespace {
 struct Truth {
   Trajectory motion;
   Trajectory on_half_the_mesh;
-  Trajectory by_another_method;  // without outputs: not made
+  Trajectory by_another_method;  // not run: not made
   std::string in_words;
 };
 
 double greatest(const std::vector<double>& values) {
-  return values.empty() ? INFINITY : *std::max_element(values.begin(), values.end());
+  double greatest = values.empty() ? INFINITY : 0;
+  for (const double value : values) greatest = std::isfinite(value) ? std::max(greatest, value) : INFINITY;
+  return greatest;
 }
 
 Trajectory by_nystrom(const Case& spec, int elements) {
@@ -61,7 +63,7 @@ Truth truth_of(const Case& spec, int elements, bool two_methods) {
 double doubt_of(const Truth& truth, const PictureErrors& errors) {
   if (truth.motion.outcome != Outcome::completed) return INFINITY;
   double doubt = greatest(errors(truth.on_half_the_mesh)) / 3;
-  if (!truth.by_another_method.times.empty()) doubt += greatest(errors(truth.by_another_method));
+  if (truth.by_another_method.outcome != Outcome::not_run) doubt += greatest(errors(truth.by_another_method));
   return doubt;
 }
 
@@ -131,12 +133,24 @@ CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
 
 }  // namespace
 
+namespace {
+
+bool has_both(const TriedRung& tried) {
+  return tried.estimate > 0 && std::isfinite(tried.estimate) && tried.true_error >= 0;
+}
+
+}  // namespace
+
 double SceneNeed::worst_ratio() const {
   double worst = 0;
   for (const TriedRung& tried : economy.tried)
-    if (tried.estimate > 0 && tried.true_error >= 0)
-      worst = std::max(worst, (tried.true_error - reference_doubt) / tried.estimate);
+    if (has_both(tried)) worst = std::max(worst, (tried.true_error - reference_doubt) / tried.estimate);
   return worst;
+}
+
+long SceneNeed::proven_rungs() const {
+  if (!(reference_doubt >= 0) || !std::isfinite(reference_doubt)) return 0;
+  return std::count_if(economy.tried.begin(), economy.tried.end(), has_both);
 }
 
 EconomySpec economy_study_of(const Case& spec) {

@@ -9,8 +9,9 @@
 #include "engine/input/uncertain_keys.h"
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_info.h"
+#include "engine/output/sampled_run.h"
+#include "engine/study/comparable_times.h"
 #include "engine/study/parallel.h"
-#include "engine/study/reached_times.h"
 #include "engine/study/uncertainty_parts.h"
 
 namespace plumb {
@@ -109,9 +110,10 @@ UncertaintyPart not_asked(const char* name, const char* why) {
 }
 
 std::vector<UncertaintyPart> parts_of(const Run& run, const Runs& runs, const InputSampling& sampling,
-                                      std::size_t r, const Comparison& pair, const std::vector<double>& own) {
+                                      std::size_t r, const Comparison& pair, const SampledRun& sampled) {
   const Case& spec = run.loaded.spec;
   const Reference& reference = run.loaded.references[r];
+  const std::vector<double>& own = sampled.values.find(pair.column)->values;
   std::vector<UncertaintyPart> parts;
   if (!runs.has_numerical) {
     for (const char* name : {"mesh", "time integration"})
@@ -122,6 +124,7 @@ std::vector<UncertaintyPart> parts_of(const Run& run, const Runs& runs, const In
     parts.push_back(mesh_part(runs.meshes, meshes));
     parts.push_back(time_part(spec.method, own, runs.seen[finer_run].column(r, pair.column)));
   }
+  parts.push_back(interpolation_part(sampled.errors.find(pair.column)->values));
   if (reference.kind == ReferenceKind::computed) {
     parts.push_back({"input", PartState::no_part, "the reference is computed from the same input", {}});
   } else if (sampling.inputs.empty()) {
@@ -143,7 +146,8 @@ std::string obstacle(const Run& run, const Reference& reference, const std::vect
   if (run.trajectory.outcome != Outcome::completed) return "the run did not complete";
   if (const std::string other = difference(reference.cable, run.loaded.spec.cable); !other.empty())
     return "the reference is for another cable: " + other;
-  if (times.empty()) return "no time of the reference is within the run";
+  if (times.empty()) return "no time of the reference can be compared";
+  if (!(times.back() > 0)) return "no time of the reference can be compared but the start";
   return {};
 }
 
@@ -153,10 +157,14 @@ Uncertainty run_uncertainty(const Run& run, const UncertaintyProgress& progress)
   const auto started = std::chrono::steady_clock::now();
   const Case& spec = run.loaded.spec;
   Uncertainty result;
+  std::vector<std::vector<std::size_t>> rows;
   std::vector<std::vector<double>> times;
   bool any = false;
-  for (const Reference& reference : run.loaded.references) {
-    times.push_back(reached_times(reference, spec.time, run.trajectory));
+  for (std::size_t r = 0; r < spec.references.size(); ++r) {
+    const Reference& reference = run.loaded.references[r];
+    ComparableTimes comparable = comparable_times(run, spec.references[r], reference);
+    rows.push_back(std::move(comparable.rows));
+    times.push_back(std::move(comparable.times));
     any = any || obstacle(run, reference, times.back()).empty();
   }
   Runs runs;
@@ -175,9 +183,9 @@ Uncertainty run_uncertainty(const Run& run, const UncertaintyProgress& progress)
         result.left_out.push_back(fmt::format("{}: {}: {}", use.name, pair.column, why_not));
       continue;
     }
-    const ProbeTable seen = probe(spec, run.trajectory, times[r]);
+    const SampledRun seen = sample(spec, run.trajectory, times[r]);
     for (const Comparison& pair : use.compare) {
-      const std::vector<double>& own = seen.find(pair.column)->values;
+      const std::vector<double>& own = seen.values.find(pair.column)->values;
       const ReferenceSeries& data = *reference.find(pair.series);
       SeriesUncertainty series;
       series.reference = use.name;
@@ -186,8 +194,8 @@ Uncertainty run_uncertainty(const Run& run, const UncertaintyProgress& progress)
       series.unit = data.unit;
       series.published = reference.kind == ReferenceKind::published;
       series.times = times[r];
-      for (std::size_t t = 0; t < own.size(); ++t) series.error.push_back(own[t] - data.values[t]);
-      series.parts = parts_of(run, runs, result.sampling, r, pair, own);
+      for (std::size_t t = 0; t < own.size(); ++t) series.error.push_back(own[t] - data.values[rows[r][t]]);
+      series.parts = parts_of(run, runs, result.sampling, r, pair, seen);
       conclude(series);
       result.series.push_back(std::move(series));
     }

@@ -119,11 +119,18 @@ std::string in_words(const Separation& s, double tolerance, double apart) {
         "two starts {:.1g} m apart stay within {:.2g} m of each other up to {:.3g} s: trajectories can be "
         "compared to the end",
         apart, *std::ranges::max_element(s.distances), end);
+  if (s.horizon == end)
+    return fmt::format(
+        "two starts {:.1g} m apart stay within {:.2g} m of each other up to {:.3g} s, where the motion could "
+        "be followed no longer: nothing is known of what comes after",
+        apart, tolerance, end);
+  const std::string pace =
+      s.exponent > 0 ? fmt::format(", tenfold in {:.2g} s at the mean", std::log(10) / s.exponent) : "";
   return fmt::format(
-      "two starts {:.1g} m apart are more than {:.2g} m apart after {:.3g} s, tenfold in {:.2g} s at the "
-      "mean: "
-      "beyond that no trajectory can be held against another, only energies and statistics",
-      apart, tolerance, s.horizon, std::log(10) / s.exponent);
+      "two starts {:.1g} m apart are more than {:.2g} m apart after {:.3g} s{}: beyond that no trajectory "
+      "can "
+      "be held against another, only energies and statistics",
+      apart, tolerance, s.horizon, pace);
 }
 
 }  // namespace

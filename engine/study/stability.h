@@ -20,7 +20,7 @@ std::string_view word(MapAxis);
 
 /// One run of a map.
 struct StabilityPoint {
-  Outcome outcome = Outcome::not_run;  ///< never `completed`: a run is judged by its reference
+  Outcome outcome = Outcome::not_run;  ///< `completed` only where no time after the start could be judged
   std::string message;                 ///< for a run that did not complete
   double end_time = -1;                ///< reached, s
   double error = -1;                   ///< greatest distance of a node to the reference, m; -1: not judged

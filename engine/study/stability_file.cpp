@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/study/case_source_json.h"
 #include "engine/study/stability_json.h"
@@ -35,21 +36,13 @@ std::string encode_stability(const StabilityStudyFile& study) {
 }
 
 StabilityStudyFile decode_stability(const std::string& text, const std::string& name) {
-  const auto refuse = [&](const std::string& why) -> InputError {
-    return InputError(one_line(fmt::format("{}: cannot be used: {}", name, why)));
-  };
+  const Json json = parse_json<Json>(text, name);
   try {
-    return study_of(Json::parse(text));
-  } catch (const nlohmann::json::exception& error) {
-    throw refuse(error.what());
+    return study_of(json);
   } catch (const InputError& error) {
     throw InputError(one_line(fmt::format("{}: the case in it is invalid: {}", name, error.what())));
-  } catch (const UsageError& error) {
-    throw refuse(error.what());
-  } catch (const std::bad_alloc&) {
-    throw refuse("it is too large for the memory at hand");
-  } catch (const std::runtime_error& error) {
-    throw refuse(error.what());
+  } catch (...) {
+    refuse_unusable(name);
   }
 }
 

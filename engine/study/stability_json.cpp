@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/method_json.h"
@@ -285,7 +286,7 @@ Stability stability_from_json(const Json& json) {
     Reader reader(json);
     members(reader, study);
   } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(one_line(error.what()));
+    throw std::runtime_error(json_fault(error));
   }
   check(study);
   return study;

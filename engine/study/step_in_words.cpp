@@ -54,6 +54,7 @@ std::string setting_text(double setting, int digits) {
 
 std::string step_in_words(const OutcomeMap& map, std::size_t at) {
   const std::size_t n = map.settings.size();
+  if (n == 0) return map.by_step ? "no step was tried" : "no tolerance was tried";
   const Stretch accurate = longest(map, at, [](Outcome outcome) { return outcome == Outcome::accurate; });
   const Stretch stable = longest(map, at, is_stable);
   const auto text = [&](std::size_t k) {
@@ -64,6 +65,9 @@ std::string step_in_words(const OutcomeMap& map, std::size_t at) {
   if (accurate.empty())
     words = fmt::format("accurate at none of {} from {} to {}", map.by_step ? "the steps" : "the tolerances",
                         text(0), text(n - 1));
+  else if (n == 1)
+    words = fmt::format("accurate at the only {} that was tried, {}", map.by_step ? "step" : "tolerance",
+                        text(0));
   else if (accurate.from == 0)
     words = accurate.to == n ? fmt::format("accurate at all of {}, up to {}",
                                            map.by_step ? "the steps" : "the tolerances", text(n - 1))

@@ -2,16 +2,19 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
+#include "engine/output/file_writing.h"
 #include "engine/output/provenance.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/method_json.h"
@@ -29,12 +32,17 @@ std::string run_key(const MethodSpec& method, int elements) {
   return key;
 }
 
+/// What is not finite has no number in JSON.
+double number(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
 Json norms_json(const ErrorNorms& norms) {
   return {norms.tip_max, norms.tip_rms, norms.curve, norms.energy};
 }
 
 ErrorNorms norms_of(const Json& json) {
-  return {json.at(0), json.at(1), json.at(2), json.at(3)};
+  return {number(json.at(0)), number(json.at(1)), number(json.at(2)), number(json.at(3))};
 }
 
 Json run_json(const StudyRun& run) {
@@ -79,76 +87,126 @@ StudyReference reference_of(const Json& json) {
   reference.certificate.elements = json.at("elements");
   reference.certificate.first = json.at("first");
   reference.certificate.second = json.at("second");
-  reference.certificate.agreement = json.at("agreement");
+  reference.certificate.agreement = number(json.at("agreement"));
   return reference;
 }
 
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Json heading(const std::string& identity) {
-  return {{"plumb_study_journal", 1}, {"identity", identity}};
+constexpr std::size_t sum_digits = 8;
+
+/// Of a line and of the journal it is in, so that no line counts in another one.
+std::string check_sum(std::string_view line, const std::string& identity) {
+  const auto add = [](uLong sum, std::string_view bytes) {
+    return crc32_z(sum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  };
+  return fmt::format("{:08x}", add(add(0, identity + '\n'), line));
+}
+
+std::string heading(const std::string& identity) {
+  return text_of({{"plumb_study_journal", 2}, {"identity", identity}}) + "\n";
+}
+
+/// How every journal begins, of any version; one may have been cut off within that.
+bool is_ours(std::string_view text) {
+  constexpr std::string_view begin = R"({"identity":")";
+  return begin.starts_with(text.substr(0, begin.size()));
 }
 
 }  // namespace
 
-StudyJournal::StudyJournal(std::string path, const std::string& identity) : path_(std::move(path)) {
-  std::string text;
-  {
-    std::ifstream file(path_, std::ios::binary);
-    text.assign(std::istreambuf_iterator<char>(file), {});
+StudyJournal::StudyJournal(std::string path, const std::string& identity)
+    : path_(std::move(path)), identity_(identity) {
+  // A link is not followed: what it leads to is not ours to write. Nor is a pipe waited for.
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_APPEND | O_NOFOLLOW | O_NONBLOCK, 0666);
+  if (file_ < 0) fail(errno == ELOOP ? "it is a link, so it is left alone" : std::strerror(errno));
+  try {
+    go_on();
+  } catch (...) {
+    ::close(file_);
+    throw;
   }
-  const std::string first = line_of(heading(identity));
+}
+
+void StudyJournal::go_on() {
+  struct stat status {};
+  if (::fstat(file_, &status) != 0) fail(std::strerror(errno));
+  if (!S_ISREG(status.st_mode)) fail("it is no file");
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) fail("another study is at work on it");
+  const std::string text = read(status.st_size);
+  if (!is_ours(text)) fail("it is there and is no journal of a study");
+  const std::string first = heading(identity_);
   const bool same = text.starts_with(first);
+  if (!same && status.st_nlink > 1) fail("it is the journal of another study, under two names");
   std::size_t end_of_whole = first.size();
-  if (same) {
-    for (std::size_t from = first.size();;) {
-      const std::size_t end = text.find('\n', from);
-      if (end == std::string::npos) break;
-      take(text.substr(from, end - from));
-      from = end_of_whole = end + 1;
-    }
+  for (std::size_t end; same && (end = text.find('\n', end_of_whole)) != std::string::npos;) {
+    if (!take(text.substr(end_of_whole, end - end_of_whole))) ++damaged_;
+    end_of_whole = end + 1;
   }
-  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_APPEND, 0666);
   // A line that was cut off goes, so that the next one does not run into it.
-  const off_t keep = same ? static_cast<off_t>(end_of_whole) : 0;
-  if (file_ < 0 || ::ftruncate(file_, keep) != 0)
-    throw OutputError(path_ + ": cannot be written: " + std::strerror(errno));
-  if (!same) append(first);
+  if (::ftruncate(file_, same ? static_cast<off_t>(end_of_whole) : 0) != 0) fail(std::strerror(errno));
+  if (!same) write(first);
+}
+
+std::string StudyJournal::read(long size) const {
+  constexpr long longest = 256L * 1024 * 1024;
+  if (size > longest) fail("it is longer than 256 MiB");
+  std::string text(static_cast<std::size_t>(size), '\0');
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = ::pread(file_, text.data() + done, text.size() - done, static_cast<off_t>(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(std::strerror(errno));
+    if (count == 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  return text.substr(0, done);
+}
+
+void StudyJournal::fail(const std::string& why) const {
+  throw WriteError(path_, why);
 }
 
 StudyJournal::~StudyJournal() {
   if (file_ >= 0) ::close(file_);
 }
 
-void StudyJournal::take(const std::string& line) {
+bool StudyJournal::take(const std::string& line) {
+  if (line.size() <= sum_digits || line[sum_digits] != ' ') return false;
+  const std::string text = line.substr(sum_digits + 1);
+  if (!line.starts_with(check_sum(text, identity_))) return false;
   try {
-    const Json json = Json::parse(line);
+    const auto json = parse_json<Json>(text, path_);
     if (json.contains("run")) {
       const StudyRun run = run_of(json.at("run"));
       runs_[run_key(run.method, run.elements)] = run;
     } else if (json.contains("seconds")) {
       seconds_[json.at("of").get<std::string>()] = json.at("seconds").get<std::vector<double>>();
-    } else if (json.contains("reference")) {
+    } else {
       const StudyReference reference = reference_of(json.at("reference"));
       references_[reference.certificate.elements] = reference;
-    } else {
-      return;
     }
-    ++found_;
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception&) {
-    // Damaged: what it held is done again.
+    return false;
   }
+  ++found_;
+  return true;
 }
 
-void StudyJournal::append(const std::string& line) {
+void StudyJournal::append(const std::string& json) {
+  write(fmt::format("{} {}\n", check_sum(json, identity_), json));
+}
+
+void StudyJournal::write(std::string_view rest) {
   if (file_ < 0) return;
-  std::string_view rest = line;
   while (!rest.empty()) {
     const ssize_t written = ::write(file_, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw OutputError(path_ + ": cannot be written: " + std::strerror(errno));
+    if (written < 0) fail(std::strerror(errno));
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
 }
@@ -161,7 +219,7 @@ std::optional<StudyRun> StudyJournal::find_run(const MethodSpec& method, int ele
 
 void StudyJournal::add_run(const StudyRun& run) {
   const std::lock_guard lock(guard_);
-  append(line_of({{"run", run_json(run)}}));
+  append(text_of({{"run", run_json(run)}}));
   runs_[run_key(run.method, run.elements)] = run;
 }
 
@@ -174,7 +232,7 @@ std::vector<double> StudyJournal::find_seconds(const StudyRun& run) const {
 void StudyJournal::add_seconds(const StudyRun& run) {
   const std::lock_guard lock(guard_);
   const std::string key = run_key(run.method, run.elements);
-  append(line_of({{"of", key}, {"seconds", run.seconds}}));
+  append(text_of({{"of", key}, {"seconds", run.seconds}}));
   seconds_[key] = run.seconds;
 }
 
@@ -186,7 +244,7 @@ std::optional<StudyReference> StudyJournal::find_reference(int elements) const {
 
 void StudyJournal::add_reference(const StudyReference& reference) {
   const std::lock_guard lock(guard_);
-  append(line_of({{"reference", reference_json(reference)}}));
+  append(text_of({{"reference", reference_json(reference)}}));
   StudyReference kept = reference;
   kept.trajectory = {};
   references_[reference.certificate.elements] = kept;

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/input/case_source.h"
@@ -13,14 +14,15 @@
 namespace plumb {
 
 /// What a study under way has done, so that one that is interrupted can go on from there: a line of JSON a
-/// run, written as soon as it is done. A last line that was cut off is left out. Safe to use from several
-/// threads.
+/// run behind its check sum, written as soon as it is done. A last line that was cut off is left out, and so
+/// is any whose check sum is not its own. Safe to use from several threads.
 class StudyJournal {
  public:
   /// Kept in memory only.
   StudyJournal() = default;
   /// Goes on with the file at `path` if it is of the same `identity`, and starts it anew otherwise.
-  /// Throws OutputError if it cannot be written, here and in every `add`.
+  /// Throws OutputError if it cannot be written, here and in every `add`, and for a link or what is no
+  /// journal, which stay as they are.
   StudyJournal(std::string path, const std::string& identity);
   ~StudyJournal();
   StudyJournal(const StudyJournal&) = delete;
@@ -38,20 +40,28 @@ class StudyJournal {
   std::optional<StudyReference> find_reference(int elements) const;
   void add_reference(const StudyReference& reference);
 
-  /// How many lines were found in the file.
+  /// How many lines were found in the file, and how many of it are damaged: what they held is done again.
   std::size_t found() const { return found_; }
+  std::size_t damaged() const { return damaged_; }
   const std::string& path() const { return path_; }
 
   /// Removes the file: the study is done and its results are written.
   void remove();
 
  private:
-  void append(const std::string& line);
-  void take(const std::string& line);
+  void go_on();
+  std::string read(long size) const;
+  void append(const std::string& json);
+  void write(std::string_view rest);
+  /// False if the line is damaged.
+  bool take(const std::string& line);
+  [[noreturn]] void fail(const std::string& why) const;
 
   std::string path_;
+  std::string identity_;
   int file_ = -1;
   std::size_t found_ = 0;
+  std::size_t damaged_ = 0;
   mutable std::mutex guard_;
   std::map<std::string, StudyRun> runs_;
   std::map<std::string, std::vector<double>> seconds_;

@@ -42,6 +42,11 @@ Trajectory run(const Case& spec, const MethodSpec& method, double time_limit) {
   return integrate(with, {}, time_limit);
 }
 
+/// True of a distance that was found.
+bool known(double distance) {
+  return std::isfinite(distance) && distance >= 0;
+}
+
 /// -1 where either is not whole.
 double tip_distance(const Trajectory& a, const Trajectory& b) {
   const bool whole = a.outcome == Outcome::completed && b.outcome == Outcome::completed;
@@ -74,7 +79,8 @@ double dividing(double output_interval, double step) {
 /// What agrees better than what was there before; a reference that nothing agrees with is better than none.
 bool better(const StudyReference& a, const StudyReference& b) {
   if (a.trajectory.times.empty() || b.trajectory.times.empty()) return b.trajectory.times.empty();
-  if (a.certificate.agreement < 0 || b.certificate.agreement < 0) return b.certificate.agreement < 0;
+  if (!known(a.certificate.agreement) || !known(b.certificate.agreement))
+    return !known(b.certificate.agreement);
   return a.certificate.agreement < b.certificate.agreement;
 }
 
@@ -137,16 +143,18 @@ void certify(CertifiedReference& reference, double smallest_error, double mesh_e
   reference.certified = false;
   reference.why_not.clear();
   reference.floor = std::max({margin * reference.agreement, mesh_error, 0.0});
-  if (reference.agreement < 0)
+  if (!known(reference.agreement))
     reference.why_not = "no two methods completed the reference";
-  else if (mesh_error < 0)
+  else if (!known(mesh_error))
     reference.why_not = "the error of its mesh is not known";
-  else if (smallest_error >= 0 && smallest_error < margin * reference.agreement)
+  else if (!known(smallest_error))
+    reference.why_not = "no run has an error against it";
+  else if (smallest_error < margin * reference.agreement)
     reference.why_not = fmt::format(
         "its two methods agree to {:.2g} m, which is not ten times better than the smallest error drawn, "
         "{:.2g} m",
         reference.agreement, smallest_error);
-  else if (smallest_error >= 0 && smallest_error < mesh_error)
+  else if (smallest_error < mesh_error)
     reference.why_not = fmt::format(
         "the error of its mesh, some {:.2g} m, is greater than the smallest error drawn, {:.2g} m",
         mesh_error, smallest_error);

@@ -1,5 +1,7 @@
 #include "engine/study/sweep.h"
 
+#include <cmath>
+
 namespace plumb {
 
 bool SweepRun::judged() const {
@@ -8,8 +10,10 @@ bool SweepRun::judged() const {
 
 bool SweepRun::wrongly_accurate(double tolerance) const {
   if (outcome != Outcome::accurate) return false;
-  // Written so that a distance that is not a number is wrong.
-  return !(second_error >= 0 && disagreement >= 0 && second_error <= tolerance + disagreement);
+  // Written so that a distance that is not a number is wrong, and one to references that disagree without
+  // end.
+  return !(second_error >= 0 && disagreement >= 0 && std::isfinite(disagreement) &&
+           std::isfinite(second_error) && second_error <= tolerance + disagreement);
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/case_source_json.h"
@@ -26,8 +27,8 @@ double number_of(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
 
-Sweep read(const std::string& text) {
-  const Json json = Json::parse(text);
+Sweep read(const std::string& text, const std::string& file) {
+  const Json json = parse_json<Json>(text, file);
   if (json.at("kind") != "sweep") throw std::runtime_error("it is no sweep");
   if (const int version = json.at("version"); version < 1 || version > sweep_version)
     throw std::runtime_error(
@@ -99,11 +100,9 @@ std::string encode_sweep(const Sweep& sweep) {
 
 Sweep decode_sweep(const std::string& json, const std::string& file) {
   try {
-    return read(json);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("{}: cannot be used: {}", file, error.what())));
+    return read(json, file);
+  } catch (...) {
+    refuse_unusable(file);
   }
 }
 

@@ -19,7 +19,7 @@ std::string_view word(PartState);
 
 /// A source of the uncertainty of a comparison, over the times of the comparison.
 struct UncertaintyPart {
-  std::string name;  ///< "mesh", "time integration", "input", "data"
+  std::string name;  ///< "mesh", "time integration", "interpolation", "input", "data"
   PartState state = PartState::not_estimated;
   std::string how;             ///< how it was estimated, or why not, in words
   std::vector<double> values;  ///< standard uncertainty, in the unit of the series; none unless estimated
@@ -32,9 +32,9 @@ struct SeriesUncertainty {
   std::string column;     ///< "mid.y"
   std::string unit;
   bool published = false;              ///< the reference validates; a computed one verifies
-  std::vector<double> times;           ///< s, those of the reference within the run; one or more
+  std::vector<double> times;           ///< s, those of the reference that the run can be held against; one or more
   std::vector<double> error;           ///< E, run minus reference
-  std::vector<UncertaintyPart> parts;  ///< mesh, time integration, input, data
+  std::vector<UncertaintyPart> parts;  ///< mesh, time integration, interpolation, input, data
   std::vector<double> validation;      ///< u_val, root of the sum of squares of the estimated parts
 
   std::size_t greatest = 0;  ///< of `times`, where |E| is greatest

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "engine/study/comparison_words.h"
@@ -31,8 +32,10 @@ constexpr const char* index_words = "over 1.15, as it covers 95 % of errors to o
 std::optional<double> change_by_rounding(const std::array<ColumnValues, 3>& columns) {
   constexpr double rounding = 1e-11;
   double change = 0, size = 0;
+  if (columns[0].values.empty()) return {};
   for (std::size_t t = 0; t < columns[0].values.size(); ++t)
     for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (!std::isfinite(columns[k].values[t])) return {};
       change = std::max(change, std::abs(columns[k].values[t] - columns[0].values[t]));
       size = std::max(size, std::abs(columns[k].values[t]));
     }
@@ -89,6 +92,18 @@ UncertaintyPart time_part(const MethodSpec& method, const std::vector<double>& r
       standard(two_run_index(run, finer.values, refinement.ratio, refinement.order)));
 }
 
+UncertaintyPart interpolation_part(const std::vector<double>& errors) {
+  constexpr const char* name = "interpolation";
+  if (std::all_of(errors.begin(), errors.end(), [](double error) { return error == 0; }))
+    return part(name, PartState::no_part, "every time of the comparison is an output of the run");
+  std::vector<double> values;
+  for (const double error : errors) values.push_back(error / std::numbers::sqrt3);
+  return part(name, PartState::estimated,
+              "between outputs: the greatest change at those next to a time when every second output is left "
+              "out, taken as bounds of a uniform distribution, over √3",
+              std::move(values));
+}
+
 UncertaintyPart input_part(const InputSampling& sampling, const std::vector<ColumnValues>& samples) {
   constexpr const char* name = "input";
   std::vector<const std::vector<double>*> good;
@@ -132,7 +147,7 @@ void conclude(SeriesUncertainty& series) {
       if (each.state == PartState::estimated) squares += each.values[t] * each.values[t];
     series.validation[t] = std::sqrt(squares);
     const double size = std::abs(series.error[t]);
-    within += size <= coverage_factor * series.validation[t];
+    within += std::isfinite(size) && size <= coverage_factor * series.validation[t];
     // One that is not a number stays the greatest.
     const double greatest = std::abs(series.error[series.greatest]);
     if (!std::isnan(greatest) && !(size <= greatest)) series.greatest = t;

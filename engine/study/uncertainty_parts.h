@@ -22,6 +22,10 @@ UncertaintyPart mesh_part(const ThreeMeshes& meshes, const std::array<ColumnValu
 UncertaintyPart time_part(const MethodSpec& method, const std::vector<double>& run,
                           const ColumnValues& finer);
 
+/// The part of interpolation between the outputs of the run, from how far it may be off at each time, 0 at
+/// outputs.
+UncertaintyPart interpolation_part(const std::vector<double>& errors);
+
 /// The part of the inputs: at each time the standard deviation over the samples that have a result.
 UncertaintyPart input_part(const InputSampling& sampling, const std::vector<ColumnValues>& samples);
 

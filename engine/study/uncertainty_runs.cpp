@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include "engine/errors.h"
 #include "engine/input/changed_case.h"
@@ -83,7 +84,10 @@ PlannedSamples planned_samples(const LoadedCase& loaded) {
       run.spec = load_changed(loaded.source, uncertain_overrides(spec, keys, values)).spec;
       run.spec.method = method;
     } catch (const InputError& error) {
+      // The values are not what a user typed.
       run.fault = error.what();
+      constexpr std::string_view prefix = "--set ";
+      if (run.fault.starts_with(prefix)) run.fault.erase(0, prefix.size());
     }
     planned.runs.push_back(std::move(run));
     planned.texts.push_back(std::move(text));

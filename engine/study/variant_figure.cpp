@@ -14,20 +14,29 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Greatest distance of a node at the outputs that both have.
+/// Greatest distance of a node at the outputs that both have; none of other meshes, where they have no output
+/// after the start, or where one is not a number.
 double distance(const Trajectory& a, const Trajectory& b) {
   constexpr double same_time = 1e-9;  // s
   double worst = none;
+  bool moved = false;
   std::size_t j = 0;
   for (std::size_t k = 0; k < a.times.size(); ++k) {
     while (j < b.times.size() && b.times[j] < a.times[k] - same_time) ++j;
     if (j == b.times.size() || b.times[j] > a.times[k] + same_time) continue;
-    for (Eigen::Index node = 0; node + 3 <= std::min(a.q[k].size(), b.q[j].size()); node += 6) {
+    if (a.q[k].size() != b.q[j].size()) return none;
+    moved = moved || a.times[k] > 0;
+    for (Eigen::Index node = 0; node + 3 <= a.q[k].size(); node += 6) {
       const double here = (a.q[k].segment<3>(node) - b.q[j].segment<3>(node)).norm();
+      if (std::isnan(here)) return none;
       if (!(here <= worst)) worst = here;
     }
   }
-  return worst;
+  return moved ? worst : none;
+}
+
+bool any_is_not_a_number(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
 }
 
 /// The values of the first column, one an output interval: the last output may come sooner after the others.
@@ -59,7 +68,7 @@ double of_run(const ExpectationSpec& expected, const VariantResult& variant,
   if (what == "energy-drift") return t.relative_energy_drift() < 0 ? none : t.relative_energy_drift();
   const ColumnQuantity quantity = column_quantity(what);
   const Column* column = variant.probes.find(quantity.column);
-  if (column == nullptr || column->values.empty()) return none;
+  if (column == nullptr || column->values.empty() || any_is_not_a_number(column->values)) return none;
   switch (quantity.of) {
     case ColumnQuantity::Of::greatest:
       return *std::max_element(column->values.begin(), column->values.end());

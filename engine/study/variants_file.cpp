@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/case_source_json.h"
@@ -134,11 +135,9 @@ std::string encode_variants(const VariantsStudy& study) {
 
 VariantsStudy decode_variants(const std::string& text) {
   try {
-    return study_of(Json::parse(text));
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(one_line(fmt::format("study.json: cannot be used: {}", error.what())));
+    return study_of(parse_json<Json>(text, "study.json"));
+  } catch (...) {
+    refuse_unusable("study.json");
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "engine/errors.h"
 #include "engine/interrupt.h"
 
 namespace plumb {
@@ -46,6 +48,7 @@ class Worker {
   Worker(const WorkerJobs& jobs, const Part& part) : part_(part) {
     int ends[2];
     if (::pipe(ends) != 0) fail("a pipe to a process");
+    const pid_t parent = ::getpid();
     pid_ = ::fork();
     if (pid_ < 0) {
       const int error = errno;
@@ -57,6 +60,9 @@ class Worker {
     if (pid_ == 0) {
       ::close(ends[0]);
       for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+      // Whoever waits for this process may be killed.
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (::getppid() != parent) ::_exit(1);
       int status = 1;
       try {
         jobs.work(part.job, part.first, [&](const std::string& line) { write_all(ends[1], line + "\n"); });
@@ -145,7 +151,13 @@ std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs) {
   while (!waiting.empty() || !workers.empty()) {
     stop_if_interrupted();
     while (!waiting.empty() && workers.size() < at_once) {
-      workers.emplace_back(jobs, waiting.front());
+      try {
+        workers.emplace_back(jobs, waiting.front());
+      } catch (const std::system_error& error) {
+        if (!workers.empty()) break;  // fewer at once will do
+        throw OutputError(fmt::format("no process can be started, {}: {}", error.code().message(),
+                                      "a limit of the machine on processes, files or memory is reached"));
+      }
       waiting.pop_front();
     }
     std::vector<pollfd> files;

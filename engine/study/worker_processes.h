@@ -27,8 +27,8 @@ struct WorkerJobs {
 };
 
 /// The lines of each job. Where a process crashes, hangs or ends early, that line has the fault and another
-/// process goes on with the next. Throws Interrupted if the user stops it, and std::system_error where no
-/// process can be started; no process outlives the call. To be called where no other thread runs.
+/// process goes on with the next. Throws Interrupted if the user stops it, and OutputError where not
+/// even one process can be started; no process outlives the call. To be called where no other thread runs.
 std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs);
 
 }  // namespace plumb

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "engine/input/file_text.h"
-#include "engine/output/file_writing.h"
 #include "engine/study/run_budget.h"
 #include "engine/study/run_uncertainty.h"
 
@@ -34,7 +33,7 @@ Assessment assess(const Run& run, Stages& stages, Talk& talk) {
 }
 
 void write_assessment(const Assessment& assessment, OutputFolder& folder) {
-  if (!assessment.empty()) write_file(folder.file(assessment_file_name), encode_assessment(assessment));
+  if (!assessment.empty()) folder.write(assessment_file_name, encode_assessment(assessment));
 }
 
 Assessment assessment_beside(const std::string& run_path, const Run& run) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/case_json.h"
+#include "report/program/limits.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -29,6 +30,10 @@ ExitStatus check_verb(const Options& options, Talk& talk) {
                           computed_by(spec.given_runs[k]), counted(std::ssize(given.times), "row", "rows"),
                           given.times.front(), given.times.back()));
   }
+  const Estimate made = check_estimate(spec, work_of_run(spec), loaded.source.file.name,
+                                       output_path(options, loaded), options, talk);
+  talk.line("plumb run of it would take");
+  for (const std::string& line : in_words(made)) talk.line("  " + line);
   if (options.json) print_json(case_json(loaded));
   return ExitStatus::done;
 }

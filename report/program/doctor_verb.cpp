@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "engine/integrate/method_info.h"
 #include "engine/output/provenance.h"
+#include "render/environment.h"
 #include "render/gl_context.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
@@ -49,6 +51,12 @@ ExitStatus doctor_verb(const Options& options, Talk& talk) {
                           egl_is_there() ? "knows no device" : "its library cannot be opened"));
   talk.line("Program");
   for (const auto& [name, value] : provenance) talk.line(fmt::format("  {:<22}{}", name, value));
+  talk.line("Environment");
+  for (const EnvironmentVariable& variable : environment_variables()) {
+    const char* value = std::getenv(std::string(variable.name).c_str());
+    talk.line(fmt::format("  {:<27}{}{}", variable.name, variable.meaning,
+                          value != nullptr ? fmt::format("; now {}", value) : ""));
+  }
   talk.line("Methods: order, kind, what they conserve, when to use them, and the keys of [method] they take");
   for (const MethodInfo& method : method_infos()) {
     talk.line(

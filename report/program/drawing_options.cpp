@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
-#include <limits>
 
 #include "engine/errors.h"
 #include "report/program/work.h"
@@ -20,6 +19,20 @@ std::optional<int> whole(std::string_view text) {
   return value;
 }
 
+/// Reads the case of a run with one more override, which stands for an option: a fault in it is one of that
+/// option, which the user typed, and not of the override.
+void check_option(const CaseSource& source, const std::string& setting, const std::string& option) {
+  CaseSource with = source;
+  with.overrides.push_back(setting);
+  try {
+    load_case(with);
+  } catch (const InputError& error) {
+    const std::string fault = error.what(), unknown_name = "--set " + setting;
+    if (!fault.starts_with(unknown_name)) throw;
+    throw UsageError(option + fault.substr(unknown_name.size()));
+  }
+}
+
 }  // namespace
 
 std::optional<FrameRange> asked_frames(const Options& options) {
@@ -29,7 +42,7 @@ std::optional<FrameRange> asked_frames(const Options& options) {
   const auto first = whole(std::string_view(text).substr(0, colon));
   std::optional<int> last = first;
   if (colon != std::string::npos)
-    last = colon + 1 == text.size() ? std::numeric_limits<int>::max() - 1 : whole(text.substr(colon + 1));
+    last = colon + 1 == text.size() ? FrameRange::open_end : whole(text.substr(colon + 1));
   if (!first || !last || *last < *first)
     throw UsageError(fmt::format(
         "--frames {}: must be two frame numbers from 0, the lower first, as 10:20, or 10: or 10", text));
@@ -52,9 +65,15 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
     if (!width || !height)
       throw UsageError(
           fmt::format("--size {}: must be width and height in pixels, as 3840x2160", options.size));
-    source.overrides.push_back(fmt::format("scene.size=[{},{}]", *width, *height));
+    const std::string setting = fmt::format("scene.size=[{},{}]", *width, *height);
+    check_option(source, setting, "--size " + options.size);
+    source.overrides.push_back(setting);
   }
-  if (!options.camera.empty()) source.overrides.push_back("scene.camera=" + options.camera);
+  if (!options.camera.empty()) {
+    const std::string setting = "scene.camera=" + options.camera;
+    check_option(source, setting, "--camera " + options.camera);
+    source.overrides.push_back(setting);
+  }
   return load_case(source);
 }
 

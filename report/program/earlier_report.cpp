@@ -10,12 +10,39 @@ namespace plumb {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// A results.json that was kept alone, without its pictures, is held to its numbers.
+std::vector<PictureMove> moves_since(const Document& baseline, const std::string& path,
+                                     const std::vector<Picture>& now) {
+  std::error_code ignored;
+  const bool whole_folder = fs::is_directory(path, ignored);
+  const fs::path folder = whole_folder ? fs::path(path) : fs::absolute(path).parent_path();
+  if (!whole_folder && !fs::exists(folder / "figures", ignored)) return {};
+  return picture_moves(baseline, folder.string(), now);
+}
+
+}  // namespace
+
 Document find_document(const std::string& path) {
   std::error_code ignored;
   return read_document(fs::is_directory(path, ignored) ? (fs::path(path) / "results.json").string() : path);
 }
 
-void hold_against_earlier(Document& document, const Options& options, const std::string& folder) {
+Document find_baseline(const std::string& path) {
+  Document baseline = find_document(path);
+  try {
+    // Held against itself it shows whether it has all that is asked of it.
+    Document same = baseline;
+    hold_against_baseline(same, baseline, path, default_regression_share);
+  } catch (const Document::exception&) {
+    throw InputError(path + ": damaged: it is not as plumb run writes it");
+  }
+  return baseline;
+}
+
+void hold_against_earlier(Document& document, const Pictures& pictures, const Options& options,
+                          const std::string& folder) {
   std::error_code ignored;
   if (fs::exists(fs::path(folder) / "results.json", ignored)) {
     try {
@@ -28,12 +55,10 @@ void hold_against_earlier(Document& document, const Options& options, const std:
     }
   }
   if (options.baseline.empty()) return;
-  try {
-    hold_against_baseline(document, find_document(options.baseline), options.baseline,
-                          options.numbers.value_or(default_regression_share));
-  } catch (const Document::exception& error) {
-    throw InputError(options.baseline + ": damaged: " + error.what());
-  }
+  const Document baseline = find_baseline(options.baseline);
+  hold_against_baseline(document, baseline, options.baseline,
+                        options.numbers.value_or(default_regression_share),
+                        moves_since(baseline, options.baseline, pictures.figures));
 }
 
 }  // namespace plumb

@@ -10,9 +10,13 @@ namespace plumb {
 /// The results.json of a path to it or to its folder, for --baseline. Throws InputError.
 Document find_document(const std::string& path);
 
+/// The same of a report that is whole enough to be a baseline. Throws InputError.
+Document find_baseline(const std::string& path);
+
 /// Adds what moved since earlier reports: with --baseline verdicts of regression, and always, under
 /// `last_run`, what changed from the report that lies in `folder` now, if one does that can be read. Throws
 /// InputError for a baseline that cannot be used.
-void hold_against_earlier(Document& document, const Options& options, const std::string& folder);
+void hold_against_earlier(Document& document, const Pictures& pictures, const Options& options,
+                          const std::string& folder);
 
 }  // namespace plumb

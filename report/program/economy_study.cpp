@@ -1,4 +1,3 @@
-#include "engine/output/file_writing.h"
 #include "engine/study/economy_study_json.h"
 #include "engine/study/run_economy.h"
 #include "report/economy_gauge.h"
@@ -13,7 +12,7 @@ namespace {
 /// All that follows the study: verdicts and report, with the folder put in place and the findings said.
 ExitStatus report_on(const EconomyStudy& study, OutputFolder& folder, Stages& stages, const Options& options,
                      Talk& talk) {
-  write_file(folder.file(study_json_name), encode_economy_study(study));
+  folder.write(study_json_name, encode_economy_study(study));
   stages.begin("figures");
   const std::vector<Picture> pictures = draw_economy(study, folder);
   stages.end();

@@ -6,7 +6,6 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
-#include "engine/output/file_writing.h"
 #include "engine/study/choose_rung.h"
 #include "engine/study/economy_json.h"
 #include "engine/study/economy_ladder.h"
@@ -76,7 +75,7 @@ SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder
 }
 
 void write_choice(const SceneChoice& choice, OutputFolder& folder) {
-  write_file(folder.file(choice_file_name), encode_choice(choice.economy, choice.key, choice.loaded.source));
+  folder.write(choice_file_name, encode_choice(choice.economy, choice.key, choice.loaded.source));
 }
 
 LoadedCase as_the_scene_needs(const LoadedCase& loaded, const std::string& folder, const Options& options,
@@ -92,7 +91,7 @@ std::optional<Economy> choice_beside(const std::string& run_path, const Run& run
   const std::optional<std::string> text = choice_text_in(beside.string());
   if (!text) return {};
   std::optional<Economy> economy = decode_choice_made(*text, run.loaded.source);
-  if (economy) write_file(folder.file(choice_file_name), *text);
+  if (economy) folder.write(choice_file_name, *text);
   return economy;
 }
 

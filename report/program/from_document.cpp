@@ -3,7 +3,8 @@
 #include <filesystem>
 
 #include "engine/errors.h"
-#include "engine/output/file_writing.h"
+#include "engine/input/parse_json.h"
+#include "engine/output/output_folder.h"
 #include "report/page.h"
 #include "report/program/work.h"
 
@@ -11,24 +12,53 @@ namespace plumb {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// What is written, and what the document says of itself.
+struct Remade {
+  Document document;
+  std::string page, junit, summary;
+  ExitStatus status;
+};
+
+/// A document that was changed must not say more than its verdicts do.
+void check_claim(const Document& document, const std::string& path) {
+  if (!document.at("all_criteria_met").get<bool>()) return;
+  if (document.at("complete").get<bool>() && all_passed(verdicts_of(document))) return;
+  throw InputError(path + ": says that all criteria are met, which its verdicts do not");
+}
+
+Remade remake(const std::string& path, const std::string& folder) {
+  try {
+    Remade made{read_document(path), {}, {}, {}, ExitStatus::done};
+    check_claim(made.document, path);
+    made.page = to_page(made.document, pictures_of(made.document, folder));
+    made.junit = to_junit(made.document);
+    made.summary = to_summary(made.document);
+    made.status = status_of(made.document);
+    return made;
+  } catch (...) {
+    refuse_unusable(path);
+  }
+}
+
+}  // namespace
+
 ExitStatus report_from_document(const Options& options, Talk& talk) {
   const std::string source = fs::absolute(options.from).parent_path().string();
   const fs::path folder = options.output.empty() ? source : options.output;
-  try {
-    const Document document = read_document(options.from);
-    const std::string page = to_page(document, pictures_of(document, source));
-    const std::string junit = to_junit(document), summary = to_summary(document);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw OutputError(folder.string() + ": " + error.message());
-    write_file((folder / "junit.xml").string(), junit);
-    write_file((folder / "summary.md").string(), summary);
-    write_file((folder / "index.html").string(), page);
-    say_report(document, folder.string(), options, talk);
-    return status_of(document);
-  } catch (const Document::exception& error) {
-    throw InputError(options.from + ": damaged: " + error.what());
-  }
+  const Remade made = remake(options.from, source);
+  OutputFolder output(folder.string(), {.content = FolderContent::pages,
+                                        .sources = {options.from},
+                                        .adds = true,
+                                        .beside_others = true,
+                                        .remark = [&talk](const std::string& text) { talk.remark(text); }});
+  output.write("junit.xml", made.junit);
+  output.write("summary.md", made.summary);
+  output.write("index.html", made.page);
+  output.commit();
+  say_report(made.document, folder.string(), options, talk);
+  return made.status;
 }
 
 }  // namespace plumb

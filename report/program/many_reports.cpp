@@ -10,6 +10,8 @@
 #include "engine/errors.h"
 #include "engine/output/file_writing.h"
 #include "report/program/earlier_report.h"
+#include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
 #include "report/run_index.h"
@@ -22,28 +24,31 @@ namespace {
 
 constexpr const char* default_folder = "output";
 
-/// Draws the figures of an index and writes all of it. Files of the folder that are not of the index stay.
-ExitStatus write_index(const std::vector<IndexedReport>& reports, const std::string& folder,
+/// What an index may touch: all that is not of an index stays.
+FolderUse use_of_index(Talk& talk) {
+  return {.content = FolderContent::pages, .beside_others = true, .remark = [&talk](const std::string& text) {
+            talk.remark(text);
+          }};
+}
+
+/// Draws the figures of an index and writes all of it.
+ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& folder,
                        const Options& options, Talk& talk) {
   const GlContext context;
   const PngTexts texts = picture_texts(context, "index");
   std::vector<Picture> pictures;
   for (Picture& picture : drawn_figures(shared_figures(reports), context, texts)) {
-    std::error_code error;
-    fs::create_directories(fs::path(folder) / "figures", error);
-    write_file((fs::path(folder) / picture.file).string(), picture.png);
+    folder.write(picture.file, picture.png);
     pictures.push_back(std::move(picture));
   }
   const Document index = index_of(reports, pictures);
-  const auto write = [&](const char* name, const std::string& text) {
-    write_file((fs::path(folder) / name).string(), text);
-  };
-  write("results.json", to_json(index));
-  write("junit.xml", index_junit(reports));
-  write("summary.md", index_summary(index));
-  write("index.html", index_page(index, pictures));
+  folder.write("results.json", to_json(index));
+  folder.write("junit.xml", index_junit(reports));
+  folder.write("summary.md", index_summary(index));
+  folder.write("index.html", index_page(index, pictures));
+  folder.commit();
   talk.line(index.at("headline").get<std::string>());
-  talk.line("index: " + (fs::path(folder) / "index.html").string());
+  talk.line("index: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(index));
   ExitStatus worst = ExitStatus::done;
   for (const IndexedReport& report : reports) worst = std::max(worst, status_of(report.document));
@@ -89,8 +94,13 @@ ExitStatus run_many(const std::vector<std::string>& cases, const Options& option
     if (!first)
       throw UsageError(
           fmt::format("{} and {} would both be written to {}/{}", known->second, path, folder, known->first));
-    load_case(path, options.overrides);
+    const LoadedCase loaded = load_case(path, options.overrides);
+    Talk nothing(true, true);
+    check_estimate(loaded.spec, work_of_run(loaded.spec), path, folder, options, nothing);
+    const std::string own = (fs::path(folder) / fs::path(path).stem()).string();
+    OutputFolder::check(own, folder_for(loaded, for_one(options, path, own), talk));
   }
+  OutputFolder index(folder, use_of_index(talk));
   std::vector<IndexedReport> reports;
   ExitStatus worst = ExitStatus::done;
   for (const std::string& path : cases) {
@@ -101,12 +111,13 @@ ExitStatus run_many(const std::vector<std::string>& cases, const Options& option
     std::error_code ignored;
     if (fs::exists(fs::path(own) / "results.json", ignored)) reports.push_back({name, find_document(own)});
   }
-  return std::max(worst, write_index(reports, folder, options, talk));
+  return std::max(worst, write_index(reports, index, options, talk));
 }
 
 ExitStatus index_many(const std::vector<std::string>& folders, const Options& options, Talk& talk) {
   const std::string folder = options.output.empty() ? default_folder : options.output;
   std::vector<IndexedReport> reports;
+  FolderUse use = use_of_index(talk);
   for (const std::string& path : folders) {
     std::error_code ignored;
     const fs::path own =
@@ -114,11 +125,10 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const fs::path seen =
         fs::absolute(own).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
     reports.push_back({seen.generic_string(), find_document((own / "results.json").string())});
+    use.reads.push_back((own / "results.json").string());
   }
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder + ": " + error.message());
-  return write_index(reports, folder, options, talk);
+  OutputFolder index(folder, use);
+  return write_index(reports, index, options, talk);
 }
 
 }  // namespace plumb

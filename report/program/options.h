@@ -42,6 +42,7 @@ struct Options {
   bool explain = false;                ///< --explain
   std::string from;                    ///< of --from; empty: not given
   bool accept = false;                 ///< --accept
+  std::vector<std::string> limits;     ///< of --limit
   bool json = false;
   bool quiet = false;
 };

@@ -1,18 +1,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
 #include <sstream>
+#include <stdexcept>
+#include <string_view>
 
 #include "engine/errors.h"
 #include "engine/input/nearest.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/output/file_writing.h"
+#include "render/environment.h"
+#include "report/program/limits.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
+#include "report/stages.h"
 
 namespace plumb {
 namespace {
@@ -22,9 +32,48 @@ constexpr const char* exit_statuses =
     "reference or\n"
     "run file; 4 the solver failed; 5 drawing or writing failed; 130 interrupted.";
 
+/// Whatever goes wrong after a stop was asked for, that is why.
 int fail(const std::string& message, ExitStatus status) {
+  if (is_interrupted() && status != ExitStatus::interrupted)
+    return fail(Interrupted().what(), ExitStatus::interrupted);
+  const Undivided undivided;
   std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
   return static_cast<int>(status);
+}
+
+/// Says what there was too much of.
+int fail_for_memory() {
+  const std::string_view stage = Stages::current();
+  const auto status = stage == solving_stage ? ExitStatus::solver_failed : ExitStatus::output_failed;
+  try {
+    return fail(fmt::format("out of memory{}{}{}{}", stage.empty() ? "" : " while ", stage,
+                            heaviest_part().empty() ? "" : "; most is for ", heaviest_part()),
+                status);
+  } catch (const std::exception&) {
+    // Not even for the words.
+    constexpr std::string_view line = "plumb: out of memory\n";
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return static_cast<int>(status);
+    return static_cast<int>(status);
+  }
+}
+
+/// Finite numbers from `low` to `high`; words that strtod takes for numbers are none.
+CLI::Validator number_between(double low, double high) {
+  return {[low, high](const std::string& text) -> std::string {
+            double number = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (error == std::errc() && end == text.data() + text.size() && number >= low && number <= high)
+              return {};
+            if (high == std::numeric_limits<double>::max())
+              return fmt::format("{}: must be a finite number of at least {}", text, low);
+            return fmt::format("{}: must be a number from {} to {}", text, low, high);
+          },
+          ""};
+}
+
+/// An option that was given and says nothing was meant to say something: an unset variable of a script.
+std::string refuse_empty(const std::string& text) {
+  return text.empty() ? "must not be empty" : "";
 }
 
 /// A word that is no verb where a verb should be is refused with the nearest verb.
@@ -72,12 +121,12 @@ void add_comparison(CLI::App& command, Options& options) {
       .add_option("--density", options.density,
                   "share of the pixels in any window of 16 x 16 that may differ by more; default 0.01, or 0")
       ->type_name("SHARE")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_between(0, 1));
   command
       .add_option("--numbers", options.numbers,
                   "difference of numbers, relative to the largest of their column; default 1e-9")
       ->type_name("SHARE")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_between(0, std::numeric_limits<double>::max()));
   command.add_option("--html", options.html, "write a page with the pictures that differ to FILE")
       ->type_name("FILE");
   command.add_flag("--accept", options.accept, "make B the baseline: put it in the place of A");
@@ -117,7 +166,7 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->add_option("--numbers", options.numbers,
                      "what a column may move by since the baseline, relative to its largest; default 1e-9")
         ->type_name("SHARE")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_between(0, std::numeric_limits<double>::max()))
         ->needs(baseline);
   }
   if (verb.takes_kind)
@@ -149,6 +198,13 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->add_option("--csv", options.csv,
                      "write the probes to FILE (- for standard output); then a folder only with -o")
         ->type_name("FILE");
+  if (verb.is_estimated)
+    command
+        ->add_option("--limit", options.limits,
+                     "refuse work beyond it before any is done: memory=2GB,disk=10GB,time=1h")
+        ->type_name("LIMITS")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   if (verb.chooses) {
     command->add_flag("--economy", options.economy,
                       "model, mesh, method and step no better than the picture needs (scene.tolerance)");
@@ -159,6 +215,30 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
   if (verb.compares) add_comparison(*command, options);
   command->add_flag("--json", options.json, "the result as JSON on standard output, talk on standard error");
   command->add_flag("--quiet", options.quiet, "say nothing but errors");
+  for (CLI::Option* option : command->get_options())
+    if (option->get_items_expected_max() > 0 && !option->check_lname("set"))
+      option->check(CLI::Validator(refuse_empty, ""));
+}
+
+/// Options that go with no other, or not with this verb.
+void check_together(const Verb& verb, const Options& options) {
+  if (options.json && options.csv == "-")
+    throw UsageError("--json and --csv - cannot both have standard output");
+  if (options.output == "-" && !verb.draws)
+    throw UsageError(fmt::format("-o -: plumb {} writes a folder, and only plumb render streams", verb.name));
+  if (!options.from.empty() && !options.inputs.empty()) throw UsageError("--from takes the place of RUN");
+  asked_bounds(options.limits);
+}
+
+/// Refuses what is wrong in the environment where it matters, and remarks on it elsewhere.
+void heed_environment(const Verb& verb, Talk& talk) {
+  for (const std::string& remark : mistyped_variables()) talk.remark(remark);
+  try {
+    check_environment();
+  } catch (const UsageError& error) {
+    if (verb.uses_renderer) throw;
+    talk.remark(fmt::format("{} (plumb {} does not use it)", error.what(), verb.name));
+  }
 }
 
 }  // namespace
@@ -187,12 +267,11 @@ Command parse_command(int count, const char* const* arguments) {
     }
     throw UsageError(std::string(error.what()) + " (see plumb --help)");
   }
-  if (options.json && options.csv == "-")
-    throw UsageError("--json and --csv - cannot both have standard output");
   if (!options.inputs.empty()) options.input = options.inputs.front();
   const std::string chosen = app.get_subcommands().front()->get_name();
   command.verb =
       &*std::find_if(verbs().begin(), verbs().end(), [&](const Verb& verb) { return verb.name == chosen; });
+  check_together(*command.verb, options);
   return command;
 }
 
@@ -206,15 +285,19 @@ int parse_and_act(int count, const char* const* arguments) {
   }
   const Options& options = command.options;
   Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
+  heed_environment(*command.verb, talk);
   return static_cast<int>(command.verb->act(options, talk));
 }
 
 }  // namespace
 
 int program(int count, const char* const* arguments) {
-  catch_interrupts();
   try {
-    return parse_and_act(count, arguments);
+    catch_interrupts();
+    const int status = parse_and_act(count, arguments);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw WriteError("standard output", "not all that was said got there");
+    return status;
   } catch (const UsageError& error) {
     return fail(error.what(), ExitStatus::wrong_usage);
   } catch (const InputError& error) {
@@ -224,7 +307,9 @@ int program(int count, const char* const* arguments) {
   } catch (const Interrupted& error) {
     return fail(error.what(), ExitStatus::interrupted);
   } catch (const std::bad_alloc&) {
-    return fail("out of memory", ExitStatus::output_failed);
+    return fail_for_memory();
+  } catch (const std::length_error&) {
+    return fail_for_memory();
   } catch (const std::exception& error) {
     return fail(fmt::format("internal error: {}", error.what()), ExitStatus::output_failed);
   }

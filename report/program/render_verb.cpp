@@ -4,9 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/errors.h"
-#include "engine/input/file_text.h"
 #include "engine/output/file_writing.h"
 #include "report/program/drawing_options.h"
+#include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/video.h"
@@ -22,7 +23,7 @@ ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, co
   if (shown.motion() == nullptr) throw OutputError("there are no frames: " + shown.notes().front());
   const GlContext context;
   SceneRenderer scene(context, *shown.motion(), shown.input());
-  const FrameRange range = range_within(scene, asked_frames(options));
+  const FrameRange range = range_within(scene.frame_count(), asked_frames(options));
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
                   write_to_standard_output(png);
@@ -44,15 +45,29 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   const std::optional<FrameRange> frames = asked_frames(options);
   Run run = find_run(options.input);
   run.loaded = with_asked_scene(run.loaded, options);
+  check_estimate(
+      run.loaded.spec,
+      {.writes_run = !to_standard_output, .draws = true, .frames = frames ? 1.0 * frames->count() : -1},
+      options.input, to_standard_output ? "." : output_path_of_run(options), options, talk);
   std::vector<OtherRun> others;
   SceneOfRun scene(run);
   add_asked(scene, run, options, others, talk);
+  // Before any work.
+  if (scene.motion() != nullptr)
+    range_within(frame_count(scene.motion()->times.back(), run.loaded.spec.scene.frame_rate), frames);
   if (to_standard_output) return stream_to_standard_output(run, scene, options, talk);
-  OutputFolder folder(output_path_of_run(options));
+  FolderUse use = folder_from(options.input, talk);
+  use.content = FolderContent::pictures;
+  for (const std::vector<std::string>* paths : {&options.over, &options.beside})
+    for (const std::string& path : *paths) use.reads.push_back(file_in(path, "run.h5"));
+  OutputFolder folder(output_path_of_run(options), use);
   std::unique_ptr<Video> video;
-  if (!options.video.empty())
+  if (!options.video.empty()) {
+    use.reads.insert(use.reads.end(), use.sources.begin(), use.sources.end());
+    refuse_to_overwrite("--video", options.video, use.reads, folder.path());
     video = std::make_unique<Video>(options.video, run.loaded.spec.scene.frame_rate);
-  note_renderer(run);
+  }
+  note_renderer(run, try_drawing());
   write_run(run, folder);
   for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5",
                                   "assessment.json", "choice.json"})
@@ -61,12 +76,12 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
-      video->add(read_whole_file(folder.file(fmt::format("frames/{:04}.png", k))));
+      video->add(folder.read(fmt::format("frames/{:04}.png", k)));
     if (!pictures.animated()) throw OutputError("there is no video: " + pictures.animation_notes.front());
-    video->finish();
     stages.end();
   }
   folder.commit();
+  if (video) video->finish();
   talk.line(fmt::format("{} and {}: {}", counted(std::ssize(pictures.figures), "figure", "figures"),
                         counted(pictures.frames, "frame", "frames"), folder.path()));
   if (video) talk.line("video: " + options.video);

@@ -2,7 +2,9 @@
 #include "report/program/assessment_work.h"
 #include "report/program/economy_work.h"
 #include "report/program/from_document.h"
+#include "report/program/limits.h"
 #include "report/program/many_reports.h"
+#include "report/program/output_use.h"
 #include "report/program/study_kinds.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
@@ -12,7 +14,6 @@ namespace plumb {
 
 ExitStatus report_verb(const Options& options, Talk& talk) {
   if (!options.from.empty()) {
-    if (!options.inputs.empty()) throw UsageError("--from takes the place of RUN");
     return report_from_document(options, talk);
   }
   if (options.inputs.empty()) throw UsageError("report needs a RUN, or --from results.json");
@@ -21,17 +22,19 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   stages.begin("reading");
   if (is_study(options.input)) {
     const Study study = find_study(options.input);
-    OutputFolder folder(output_path_of_run(options));
+    OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
     return report_study(study, folder, stages, options, talk);
   }
   if (const auto json = study_json_at(options.input)) {
     const StudyKind& kind = kind_of_study_json(*json);
-    OutputFolder folder(output_path_of_run(options));
+    OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
     return kind.report(json->text, folder, stages, options, talk);
   }
   Run run = find_run(options.input);
-  OutputFolder folder(output_path_of_run(options));
-  note_renderer(run);
+  check_estimate(run.loaded.spec, {.writes_run = true, .draws = true}, options.input,
+                 output_path_of_run(options), options, talk);
+  OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
+  note_renderer(run, try_drawing());
   write_run(run, folder);
   const std::optional<Study> study = study_beside(options.input);
   if (study) write_study(*study, folder);

@@ -1,10 +1,16 @@
+#include <optional>
+
+#include "report/case_json.h"
 #include "report/program/assessment_work.h"
 #include "report/program/earlier_report.h"
 #include "report/program/economy_work.h"
+#include "report/program/limits.h"
 #include "report/program/many_reports.h"
+#include "report/program/output_use.h"
 #include "report/program/study_work.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
+#include "report/regression.h"
 
 namespace plumb {
 
@@ -21,8 +27,12 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   stages.begin("reading");
   LoadedCase loaded = load(options, talk);
   // Before any work: a baseline that is not there would be found out too late.
-  if (!options.baseline.empty()) find_document(options.baseline);
-  OutputFolder folder(output_path(options, loaded));
+  std::optional<Document> baseline;
+  if (!options.baseline.empty()) baseline = find_baseline(options.baseline);
+  check_estimate(loaded.spec, work_of_run(loaded.spec), loaded.source.file.name, output_path(options, loaded),
+                 options, talk);
+  OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, talk));
+  const std::string renderer = try_drawing();
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
     stages.begin("choosing");
@@ -33,12 +43,13 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   } else {
     folder.keep("choice.json");
   }
-  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : "solving");
+  if (baseline) refuse_other_case(*baseline, options.baseline, Document::parse(to_json(case_json(loaded))));
+  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : solving_stage);
   Run run = solve_or_take(loaded, talk);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
-  note_renderer(run);
+  note_renderer(run, renderer);
   write_run(run, folder);
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.

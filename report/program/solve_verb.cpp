@@ -4,6 +4,8 @@
 #include "engine/output/file_writing.h"
 #include "report/case_json.h"
 #include "report/program/economy_work.h"
+#include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -11,12 +13,25 @@
 namespace plumb {
 
 ExitStatus solve_verb(const Options& options, Talk& talk) {
+  Stages stages;
+  stages.begin("reading");
   const LoadedCase given = load(options, talk);
   refuse_without_method(given);
+  const bool writes_run = options.csv.empty() || !options.output.empty();
+  check_estimate(given.spec, {.solves = true, .writes_run = writes_run, .writes_table = !options.csv.empty()},
+                 given.source.file.name, output_path(options, given), options, talk);
   const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, talk);
   std::optional<OutputFolder> folder;
-  if (options.csv.empty() || !options.output.empty()) folder.emplace(output_path(options, loaded));
+  FolderUse use = folder_for(given, options, talk);
+  if (writes_run) {
+    use.content = FolderContent::run;
+    folder.emplace(output_path(options, loaded), use);
+  }
+  if (!options.csv.empty() && options.csv != "-")
+    refuse_to_overwrite("--csv", options.csv, use.reads, folder ? folder->path() : "");
+  stages.begin(solving_stage);
   const Run run = solve(loaded, talk);
+  stages.begin("writing the run");
   if (folder) {
     write_run(run, *folder);
     folder->commit();

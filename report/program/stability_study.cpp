@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "engine/output/file_writing.h"
 #include "engine/study/run_stability.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
@@ -21,7 +20,7 @@ void say_words(const Stability& study, Talk& talk) {
 
 ExitStatus report_on(const StabilityStudyFile& study, OutputFolder& folder, Stages& stages,
                      const Options& options, Talk& talk) {
-  write_file(folder.file(study_json_name), encode_stability(study));
+  folder.write(study_json_name, encode_stability(study));
   stages.begin("figures");
   const std::vector<Picture> pictures = draw_stability(study.result, folder);
   stages.begin("report");

@@ -6,10 +6,10 @@
 namespace plumb {
 
 void put_in_place(const StudyReport& report, OutputFolder& folder, Stages& stages) {
-  write_file(folder.file("index.html"), report.page);
-  write_file(folder.file("results.json"), report.json);
-  write_file(folder.file("junit.xml"), report.junit);
-  write_file(folder.file("summary.md"), report.summary);
+  folder.write("index.html", report.page);
+  folder.write("results.json", report.json);
+  folder.write("junit.xml", report.junit);
+  folder.write("summary.md", report.summary);
   folder.commit();
   stages.end();
 }

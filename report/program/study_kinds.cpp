@@ -9,6 +9,7 @@
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
 #include "engine/input/nearest.h"
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/study/economy_study_json.h"
 #include "engine/study/stability_file.h"
@@ -59,7 +60,7 @@ std::optional<NamedText> study_json_at(const std::string& path) {
 }
 
 const StudyKind& kind_of_study_json(const NamedText& json) {
-  const auto value = nlohmann::json::parse(json.text, nullptr, false);
+  const auto value = parse_json<nlohmann::json>(json.text, json.name);
   const std::string name = value.is_object() && value.contains("kind") && value["kind"].is_string()
                                ? value["kind"].get<std::string>()
                                : std::string();

@@ -1,6 +1,11 @@
+#include <fmt/format.h>
+
 #include "engine/errors.h"
+#include "engine/output/file_writing.h"
 #include "engine/study/economy_study_json.h"
 #include "report/program/economy_work.h"
+#include "report/program/limits.h"
+#include "report/program/output_use.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/program/work.h"
@@ -13,14 +18,28 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
   LoadedCase loaded = load(options, talk);
   refuse_without_method(loaded);
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
+  const std::string path =
+      options.output.empty() ? output_path(options, loaded) + kind.folder : options.output;
+  check_estimate(loaded.spec, {.draws = true, .study = kind.name, .frames = 0}, loaded.source.file.name, path,
+                 options, talk);
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && kind.name != economy_kind)
     loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, talk);
   if (loaded.spec.cable.model == CableModel::rigid)
     throw InputError(loaded.source.file.name +
                      ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
-  OutputFolder folder(options.output.empty() ? output_path(options, loaded) + kind.folder : options.output);
-  return kind.study(loaded, folder, stages, options, talk);
+  OutputFolder folder(path, folder_for(loaded, options, talk));
+  try_drawing();
+  try {
+    return kind.study(loaded, folder, stages, options, talk);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const OutputError& error) {
+    // What was computed is worth more than its pictures.
+    if (!folder.holds("study.h5") && !folder.holds(study_json_name)) throw;
+    folder.commit();
+    throw OutputError(fmt::format("{}; the study is kept: plumb report {}", error.what(), folder.path()));
+  }
 }
 
 }  // namespace plumb

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/output/file_writing.h"
 #include "engine/study/cheapest.h"
 #include "engine/study/run_work_precision.h"
 #include "report/program/study_end.h"
@@ -92,7 +91,7 @@ Study quick_study(const LoadedCase& loaded, Talk& talk) {
 }
 
 void write_study(const Study& study, OutputFolder& folder) {
-  write_file(folder.file(study_file_name), encode_study(study));
+  folder.write(study_file_name, encode_study(study));
 }
 
 std::optional<Study> study_beside(const std::string& run_path) {

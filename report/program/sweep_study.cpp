@@ -1,4 +1,3 @@
-#include "engine/output/file_writing.h"
 #include "engine/study/run_sweep.h"
 #include "engine/study/sweep_json.h"
 #include "report/program/study_end.h"
@@ -12,7 +11,7 @@ namespace {
 /// All that follows a sweep: verdicts and report, with the folder put in place and the findings said.
 ExitStatus report_on(const Sweep& sweep, OutputFolder& folder, Stages& stages, const Options& options,
                      Talk& talk) {
-  write_file(folder.file(study_json_name), encode_sweep(sweep));
+  folder.write(study_json_name, encode_sweep(sweep));
   stages.begin("figures");
   const std::vector<Picture> pictures = draw_sweep(sweep, folder);
   const SweepResults results = evaluate_sweep(sweep, stages);

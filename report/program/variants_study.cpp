@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/errors.h"
-#include "engine/output/file_writing.h"
 #include "engine/study/variants_file.h"
 #include "render/gl_context.h"
 #include "report/program/study_end.h"
@@ -32,7 +31,7 @@ void say_variants(const VariantsResults& results, Talk& talk) {
 
 ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk) {
-  write_file(folder.file(study_json_name), encode_variants(study));
+  folder.write(study_json_name, encode_variants(study));
   stages.begin("figures");
   const GlContext context;
   const std::vector<Picture> pictures = draw_figures(variants_figures(study.result), context,

@@ -20,10 +20,12 @@ struct Verb {
   bool takes_overrides = false;
   bool takes_output = false;
   bool takes_csv = false;
-  bool takes_kind = false;  ///< of study
-  bool chooses = false;     ///< takes --economy and --explain
-  bool draws = false;       ///< takes what to draw
-  bool compares = false;    ///< takes a second path and how to compare
+  bool takes_kind = false;     ///< of study
+  bool chooses = false;        ///< takes --economy and --explain
+  bool draws = false;          ///< takes what to draw
+  bool compares = false;       ///< takes a second path and how to compare
+  bool is_estimated = false;   ///< takes --limit
+  bool uses_renderer = false;  ///< draws pictures, or looks at what draws them
 };
 
 std::span<const Verb> verbs();

@@ -42,7 +42,8 @@ void say_report(const Document& document, const std::string& folder, const Optio
 
 ExitStatus status_of(const Document& document) {
   if (!document.at("complete").get<bool>()) return ExitStatus::solver_failed;
-  return document.at("all_criteria_met").get<bool>() ? ExitStatus::done : ExitStatus::criterion_not_met;
+  const bool met = document.at("all_criteria_met").get<bool>() || document.at("verdicts").empty();
+  return met ? ExitStatus::done : ExitStatus::criterion_not_met;
 }
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk) {
@@ -115,8 +116,8 @@ std::string output_path_of_run(const Options& options) {
   return fs::absolute(path).parent_path().string();
 }
 
-void note_renderer(Run& run) {
-  const std::string name = "renderer", fingerprint = GlContext().info().fingerprint();
+void note_renderer(Run& run, const std::string& fingerprint) {
+  const std::string name = "renderer";
   for (auto& [known, value] : run.provenance)
     if (known == name) {
       value = fingerprint;
@@ -126,8 +127,8 @@ void note_renderer(Run& run) {
 }
 
 void write_run(const Run& run, OutputFolder& folder) {
-  write_file(folder.file(run_file_name), encode_run(run));
-  write_file(folder.file("probes.csv"), to_csv(run.probes));
+  folder.write(run_file_name, encode_run(run));
+  folder.write("probes.csv", to_csv(run.probes));
 }
 
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
@@ -151,9 +152,11 @@ void say_stages(const Stages& stages, Talk& talk) {
       fmt::format("time: {}; {:.2f} s in all; peak memory {} MB", text, total, usage.ru_maxrss / 1024)));
 }
 
-ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study, const Assessment* assessment,
-                           const Economy* economy) {
+namespace {
+
+/// All pictures of a report.
+Pictures draw_all(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk, const Study* study,
+                  const Assessment* assessment, const Economy* economy) {
   Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
   if (study) {
     stages.begin("study figures");
@@ -171,12 +174,36 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
                                          picture_texts(context, run.loaded.spec.title), folder))
       pictures.figures.push_back(std::move(picture));
   }
+  return pictures;
+}
+
+}  // namespace
+
+ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
+                           Talk& talk, const Study* study, const Assessment* assessment,
+                           const Economy* economy) {
+  Pictures pictures;
+  std::string failure;
+  try {
+    pictures = draw_all(run, folder, stages, talk, study, assessment, economy);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const OutputError& error) {
+    // What was solved is worth more than its pictures.
+    talk.end_progress();
+    stages.end();
+    failure = error.what();
+    pictures.animation_notes = {"the pictures could not be drawn: " + failure};
+  }
   Document document = document_of(evaluate(run, stages, study, assessment, economy), pictures);
-  hold_against_earlier(document, options, folder.path());
+  hold_against_earlier(document, pictures, options, folder.path());
   stages.begin("report");
   write_report(document, pictures, folder);
   folder.commit();
   stages.end();
+  if (!failure.empty())
+    throw OutputError(
+        fmt::format("{}; the run and its report without pictures are in {}", failure, folder.path()));
   say_report(document, folder.path(), options, talk);
   say_stages(stages, talk);
   return status_of(document);

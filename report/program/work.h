@@ -35,8 +35,8 @@ Run find_run(const std::string& path);
 /// a run file of another name than run.h5 without -o, as it is no part of the folder it lies in.
 std::string output_path_of_run(const Options& options);
 
-/// Takes down in the run's provenance what draws its pictures. Throws OutputError where nothing can draw.
-void note_renderer(Run& run);
+/// Takes down in the run's provenance what draws its pictures, as try_drawing() gave it.
+void note_renderer(Run& run, const std::string& fingerprint);
 
 /// Writes run.h5 and probes.csv.
 void write_run(const Run& run, OutputFolder& folder);
@@ -54,6 +54,7 @@ Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optio
                        OutputFolder& folder, Stages& stages, Talk& talk);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
+/// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.
 ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
                            Talk& talk, const Study* study = nullptr, const Assessment* assessment = nullptr,
                            const Economy* economy = nullptr);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "engine/errors.h"
 #include "engine/study/run_work_precision.h"
 #include "report/program/study_kinds.h"
@@ -9,6 +11,9 @@ ExitStatus work_precision_study(const LoadedCase& loaded, OutputFolder& folder, 
                                 const Options& options, Talk& talk) {
   StudyJournal journal(folder.path() + ".unfinished.jsonl", study_identity(loaded.source, false));
   if (journal.found() > 0) talk.line("going on with the study that " + journal.path() + " holds");
+  if (journal.damaged() > 0)
+    talk.remark(fmt::format("{} has {}; what is missing is done again", journal.path(),
+                            counted(static_cast<long>(journal.damaged()), "damaged line", "damaged lines")));
   Study study{loaded, {}};
   std::string stage;
   try {

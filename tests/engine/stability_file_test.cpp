@@ -9,6 +9,7 @@
 
 #include "engine/errors.h"
 #include "engine/study/stability_json.h"
+#include "tests/engine/changed_json.h"
 #include "tests/engine/tiny_stability.h"
 
 namespace plumb {
@@ -144,10 +145,19 @@ TEST(StabilityFile, CutAnywhereIsRefused) {
   for (const double share : {0.0, 0.1, 0.5, 0.9, 0.9999}) {
     const auto kept = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
     const std::string message = refusal_of(whole.substr(0, kept));
-    EXPECT_NE(message.find("study.json: cannot be used: "), std::string::npos) << message;
+    EXPECT_TRUE(message.starts_with("study.json:1:") && message.ends_with(": is not JSON")) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
   EXPECT_EQ(refusal_of(whole), "accepted");
+}
+
+TEST(StabilityFile, AnyValueThatWasChangedIsReadOrRefusedInWords) {
+  using Json = nlohmann::ordered_json;
+  expect_changes_read_or_refused(Json::parse(encode_stability(tiny_stability())), 50,
+                                 [](const Json& changed) {
+                                   const std::string why = refusal_of(changed.dump());
+                                   return why == "accepted" ? "" : why;
+                                 });
 }
 
 TEST(StabilityFile, WhatDoesNotFitTogetherIsRefused) {

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -182,11 +183,98 @@ TEST(StudyJournal, LinesOfNonsenseAreLeftOut) {
   { StudyJournal journal(path.string(), "a"); }
   std::vector<std::string> lines = lines_of(path.string());
   for (const char* bad :
-       {"", "{", "[]", "{\"run\":1}", "{\"run\":{\"method\":{}}}", "{\"seconds\":\"x\",\"of\":1}", "\xff\xfe",
-        "{\"reference\":{\"elements\":\"many\"}}"})
+       {"", "{", "[]", "{\"run\":1}", "00000000 {\"run\":{\"method\":{}}}", "{\"seconds\":\"x\",\"of\":1}",
+        "\xff\xfe", "{\"reference\":{\"elements\":\"many\"}}"})
     lines.emplace_back(bad);
   write_lines(path.string(), lines, "");
-  EXPECT_EQ(StudyJournal(path.string(), "a").found(), 0U);
+  const StudyJournal journal(path.string(), "a");
+  EXPECT_EQ(journal.found(), 0U);
+  EXPECT_EQ(journal.damaged(), 8U);
+}
+
+/// Two runs, the second of which is not a number anywhere.
+std::vector<StudyRun> two_runs() {
+  StudyRun run;
+  run.method.name = "rk4";
+  run.method.step = 0.1;
+  run.elements = 3;
+  run.time_error = {1, 2, 3, 4};
+  StudyRun other = run;
+  other.elements = 4;
+  other.time_error = {NAN, INFINITY, NAN, NAN};
+  return {run, other};
+}
+
+TEST(StudyJournal, ALineThatWasChangedIsNotTrusted) {
+  const JournalPath path;
+  {
+    StudyJournal journal(path.string(), "a");
+    for (const StudyRun& run : two_runs()) journal.add_run(run);
+  }
+  const std::vector<std::string> lines = lines_of(path.string());
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(StudyJournal(path.string(), "a").found(), 2U);
+  EXPECT_EQ(StudyJournal(path.string(), "a").damaged(), 0U) << "what is not finite is no damage";
+  for (std::size_t at = 0; at < lines[1].size(); at += 3) {
+    std::vector<std::string> changed = lines;
+    changed[1][at] = static_cast<char>(changed[1][at] ^ 1);
+    write_lines(path.string(), changed, "");
+    const StudyJournal journal(path.string(), "a");
+    EXPECT_EQ(journal.found(), 1U) << "byte " << at << " of " << lines[1];
+    EXPECT_EQ(journal.damaged(), 1U);
+    EXPECT_FALSE(journal.find_run(two_runs()[0].method, 3)) << "byte " << at;
+    EXPECT_TRUE(journal.find_run(two_runs()[0].method, 4));
+  }
+}
+
+TEST(StudyJournal, ALineOfAnotherJournalDoesNotCount) {
+  const JournalPath path;
+  std::vector<std::string> lines;
+  {
+    StudyJournal journal(path.string(), "a");
+    journal.add_run(two_runs()[0]);
+  }
+  lines = lines_of(path.string());
+  { StudyJournal journal(path.string(), "b"); }
+  write_lines(path.string(), {lines_of(path.string())[0], lines[1]}, "");
+  const StudyJournal journal(path.string(), "b");
+  EXPECT_EQ(journal.found(), 0U);
+  EXPECT_EQ(journal.damaged(), 1U);
+}
+
+TEST(StudyJournal, WhatIsNoJournalStaysAsItIs) {
+  const JournalPath path;
+  const std::string precious = path.string() + "-precious";
+  const auto refused = [&](const char* what) {
+    EXPECT_THROW(StudyJournal(path.string(), "a"), OutputError) << what;
+  };
+  write_lines(precious, {"mine"}, "");
+  fs::create_symlink(precious, path.string());
+  refused("a link");
+  EXPECT_EQ(lines_of(precious), std::vector<std::string>{"mine"});
+  fs::remove(path.string());
+  write_lines(path.string(), {"mine"}, "");
+  refused("a text");
+  EXPECT_EQ(lines_of(path.string()), std::vector<std::string>{"mine"});
+  fs::remove(path.string());
+  ASSERT_EQ(::mkfifo(path.string().c_str(), 0600), 0);
+  refused("a pipe");
+  fs::remove(path.string());
+  { StudyJournal journal(precious + ".jsonl", "b"); }
+  fs::create_hard_link(precious + ".jsonl", path.string());
+  refused("another study's under two names");
+  EXPECT_EQ(lines_of(path.string()).size(), 1U);
+  fs::remove(precious);
+  fs::remove(precious + ".jsonl");
+}
+
+TEST(StudyJournal, CutOffWithinItsHeadingIsStartedAnew) {
+  const JournalPath path;
+  for (const char* text : {"", "{", "{\"identity\":\"a"}) {
+    write_lines(path.string(), {}, text);
+    EXPECT_EQ(StudyJournal(path.string(), "a").found(), 0U) << text;
+    EXPECT_EQ(lines_of(path.string()).size(), 1U) << text;
+  }
 }
 
 TEST(StudyJournal, ThatCannotBeWrittenIsAnOutputError) {

@@ -82,7 +82,7 @@ TEST(RunUncertainty, SamplingFindsTheSpreadOfALinearModel) {
   const Uncertainty found = run_uncertainty(run_of(falling(sampled)));
   ASSERT_EQ(found.series.size(), 1U);
   const SeriesUncertainty& series = found.series[0];
-  const UncertaintyPart& input = series.parts.at(2);
+  const UncertaintyPart& input = series.parts.at(3);
   ASSERT_EQ(input.state, PartState::estimated) << input.how;
   for (std::size_t k = 0; k < series.times.size(); ++k) {
     const double t = series.times[k];
@@ -94,7 +94,8 @@ TEST(RunUncertainty, SamplingFindsTheSpreadOfALinearModel) {
   EXPECT_NEAR(series.error[2], 0.01, 1e-9) << "E is run minus reference";
   EXPECT_EQ(series.parts[0].state, PartState::estimated) << series.parts[0].how;
   EXPECT_LT(series.parts[0].values[2], 1e-9) << "every mesh falls alike";
-  EXPECT_NEAR(series.parts[3].values[2], 0.003 / std::sqrt(3), 1e-12);
+  EXPECT_EQ(series.parts[2].state, PartState::no_part) << series.parts[2].how;
+  EXPECT_NEAR(series.parts[4].values[2], 0.003 / std::sqrt(3), 1e-12);
   EXPECT_EQ(series.finding, "not distinguishable at this uncertainty");
   EXPECT_EQ(series.share_within, 1);
 }
@@ -103,7 +104,7 @@ TEST(RunUncertainty, IsTheSameForTheSameSeed) {
   const auto values = [](const std::string& seed) {
     std::string text = sampled;
     text.replace(text.find("seed = 3"), 8, "seed = " + seed);
-    return run_uncertainty(run_of(falling(text))).series.at(0).parts.at(2).values;
+    return run_uncertainty(run_of(falling(text))).series.at(0).parts.at(3).values;
   };
   EXPECT_EQ(values("3"), values("3"));
   EXPECT_NE(values("3"), values("4"));
@@ -113,7 +114,7 @@ TEST(RunUncertainty, WhatIsNotAskedForIsNotEstimated) {
   const Uncertainty found = run_uncertainty(run_of(falling("[uncertainty]\nnumerical = false\n")));
   const SeriesUncertainty& series = found.series.at(0);
   EXPECT_EQ(found.runs, 0);
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (const std::size_t k : {0U, 1U, 3U}) {
     EXPECT_EQ(series.parts.at(k).state, PartState::not_estimated) << series.parts[k].name;
     EXPECT_TRUE(series.parts[k].values.empty());
     EXPECT_FALSE(series.parts[k].how.empty());
@@ -122,6 +123,14 @@ TEST(RunUncertainty, WhatIsNotAskedForIsNotEstimated) {
   EXPECT_NEAR(series.validation[2], 0.003 / std::sqrt(3), 1e-12) << "of the data alone";
   EXPECT_EQ(series.finding,
             "model error between 0.00654 and 0.0135 m, or in wider bounds: not every part is estimated");
+}
+
+TEST(RunUncertainty, InterpolationBetweenOutputsIsAPartOfIt) {
+  CaseSource source = falling("[uncertainty]\nnumerical = false\n");
+  source.overrides = {"time.output_interval=0.15"};
+  const plumb::Run run = run_of(source);
+  EXPECT_TRUE(run_uncertainty(run).series.at(0).times.size() == 2U)
+      << "0.5 s cannot be interpolated from 8 outputs";
 }
 
 TEST(RunUncertainty, SamplesThatFailAreCountedAndNamed) {
@@ -182,7 +191,7 @@ TEST(AssessmentFile, OfAnotherRunOrDamagedIsRefused) {
   }());
   for (const auto& [message, says] : std::vector<std::pair<std::string, std::string>>{
            {refused(text, heavier), "it is that of another run: book: mid.y differs from the reference by"},
-           {refused(text.substr(0, text.size() / 2), run), "a.json: cannot be used: "},
+           {refused(text.substr(0, text.size() / 2), run), ": is not JSON"},
            {refused(changed("assessment", "sweep"), run), "it is no assessment"},
            {refused(changed("\"version\": 1", "\"version\": 2"), run),
             "its version is 2, this program reads up to 1"},

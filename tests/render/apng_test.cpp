@@ -7,6 +7,7 @@
 #include "engine/errors.h"
 #include "render/png.h"
 #include "render/png_chunks.h"
+#include "tests/render/made_png.h"
 
 namespace plumb {
 namespace {
@@ -97,6 +98,23 @@ TEST(Apng, SplitsIntoTheFramesItWasJoinedOf) {
   for (std::size_t i = 0; i < pngs.size(); ++i)
     EXPECT_EQ(decode_png(again[i], "frame"), decode_png(pngs[i], "frame")) << "frame " << i;
   EXPECT_EQ(split_apng(pngs[0], "still"), std::vector{pngs[0]});
+}
+
+TEST(Apng, WithoutFramesOrOfPartsOfThePictureIsNotSplit) {
+  const std::string data = flat_data(4, 4, "abc");
+  EXPECT_THROW(
+      split_apng(
+          file_of({{"IHDR", header_of(4, 4)}, {"acTL", animation_of(1)}, {"IDAT", data}, {"IEND", ""}}),
+          "a.png"),
+      InputError);
+  EXPECT_THROW(split_apng(file_of({{"IHDR", header_of(4, 4)},
+                                   {"acTL", animation_of(1)},
+                                   {"IDAT", data},
+                                   {"fcTL", control_of(0, {2, 4})},
+                                   {"fdAT", u32(1) + data},
+                                   {"IEND", ""}}),
+                          "a.png"),
+               InputError);
 }
 
 TEST(Apng, FramesOfDifferentSizeAreRefused) {

@@ -24,7 +24,7 @@ TEST(GlContext, TellsWhatItRunsOn) {
 TEST(GlContext, TakesTheBackendThatTheEnvironmentNames) {
   for (const char* wrong : {"glx", "egl:", "egl:x", "egl:-1", "egl:99999", "OSMesa"}) {
     setenv("PLUMB_GL", wrong, 1);
-    EXPECT_THROW(GlBackendChoice::from_environment(), OutputError) << wrong;
+    EXPECT_THROW(GlBackendChoice::from_environment(), UsageError) << wrong;
   }
   setenv("PLUMB_GL", "egl:12", 1);
   const GlBackendChoice choice = GlBackendChoice::from_environment();
@@ -43,8 +43,10 @@ TEST(GlContext, RefusesADeviceThatIsNotThere) {
 }
 
 TEST(GlContext, RefusesTheVectorWidthThatCrashesTheDriver) {
-  setenv("LP_NATIVE_VECTOR_WIDTH", "512", 1);
-  EXPECT_THROW(GlContext(), OutputError);
+  for (const char* wrong : {"512", "64", "-128", "wide"}) {
+    setenv("LP_NATIVE_VECTOR_WIDTH", wrong, 1);
+    EXPECT_THROW(GlContext(), UsageError) << wrong;
+  }
   unsetenv("LP_NATIVE_VECTOR_WIDTH");
   EXPECT_NO_THROW(GlContext());
 }

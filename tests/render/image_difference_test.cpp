@@ -56,6 +56,24 @@ TEST(ImageDifference, OneLevelEverywhereIsWithinTheToleranceButNotIdentical) {
   EXPECT_FALSE(difference(plain(64, 48, 100), plain(64, 48, 101), {0, 0}).within({0, 0}));
 }
 
+TEST(ImageDifference, OfOpacitiesIsWhatIsSeenOnBlackOrWhite) {
+  const auto one_pixel = [](std::vector<std::uint8_t> rgb, std::vector<std::uint8_t> alpha) {
+    return Image{1, 1, std::move(rgb), std::move(alpha)};
+  };
+  const Image white = one_pixel({255, 255, 255}, {}), black = one_pixel({0, 0, 0}, {});
+  const auto greatest = [](const Image& a, const Image& b) { return difference(a, b, {}).greatest; };
+  EXPECT_EQ(greatest(white, one_pixel({255, 255, 255}, {0})), 255) << "the same on white";
+  EXPECT_EQ(greatest(black, one_pixel({0, 0, 0}, {0})), 255) << "the same on black";
+  EXPECT_EQ(greatest(white, one_pixel({255, 255, 255}, {254})), 1);
+  EXPECT_EQ(greatest(black, one_pixel({0, 0, 0}, {155})), 100);
+  EXPECT_EQ(greatest(one_pixel({1, 2, 3}, {0}), one_pixel({200, 100, 50}, {0})), 0)
+      << "a colour without opacity is not seen";
+  EXPECT_EQ(greatest(one_pixel({0, 0, 0}, {1}), one_pixel({128, 0, 0}, {1})), 1) << "hardly seen";
+  EXPECT_EQ(greatest(one_pixel({1, 2, 3}, {255}), one_pixel({1, 2, 3}, {})), 0);
+  EXPECT_TRUE(difference(one_pixel({1, 2, 3}, {0}), one_pixel({9, 9, 9}, {0}), {}).identical());
+  EXPECT_FALSE(difference(one_pixel({1, 2, 3}, {1}), one_pixel({1, 2, 3}, {0}), {}).identical());
+}
+
 TEST(ImageDifference, MarksWhatWasAddedAndRemoved) {
   Image a = plain(64, 48), b = plain(64, 48);
   set(a, 5, 5, 0);

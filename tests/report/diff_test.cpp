@@ -1,3 +1,8 @@
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "render/gl_context.h"
@@ -7,6 +12,7 @@
 #include "report/file_difference.h"
 #include "report/number_difference.h"
 #include "report/pictures.h"
+#include "tests/render/made_png.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -144,6 +150,163 @@ TEST(Diff, NumbersAreHeldAgainstTheLargestOfTheirColumnAndKind) {
   EXPECT_DOUBLE_EQ(greatest("x\n1\n", "y\n1\n"), -1);
 }
 
+TEST(Diff, NumbersThatAreNotFiniteOrNotThereAreNeverWithinATolerance) {
+  const DifferenceOptions anything{.channel = {}, .density = {}, .numbers = HUGE_VAL};
+  const auto result = [&](const std::string& a, const std::string& b) {
+    const FileDifference found = compare_files("a.csv", a, b, anything);
+    return word(found.sameness) + (found.sameness == Sameness::different ? "" : ": " + found.in_words);
+  };
+  for (const auto& [a, b] : {std::pair{"nan", "1"},
+                             {"1", "nan"},
+                             {"inf", "1"},
+                             {"inf", "-inf"},
+                             {"nan", "inf"},
+                             {"-1e308", "1.7e308"},
+                             {"1", ""},
+                             {"1", "one"},
+                             {"", "0"}})
+    EXPECT_EQ(result(std::string("t,x\n0,") + a + "\n", std::string("t,x\n0,") + b + "\n"), "different")
+        << a << b;
+  EXPECT_EQ(result("t,x\n0,nan\n", "t,x\n0.0,nan\n"), "identical: the same numbers");
+  EXPECT_EQ(result("t,x\n0,inf\n", "t,x\n0.0,inf\n"), "identical: the same numbers");
+  EXPECT_EQ(result("t,x\n", "t,x \n"), "not compared: there are no numbers in them");
+  EXPECT_EQ(result("", "\n"), "not compared: there are no numbers in them");
+  EXPECT_EQ(result("t,x\n", "t,x\n0,1\n"), "different") << "no rows";
+  EXPECT_EQ(result("t,x\n", "t,y\n"), "different") << "other headers";
+  EXPECT_EQ(result("t,x\n0,1\n", "t,y\n0,1\n"), "different") << "other headers";
+  EXPECT_EQ(result("x\n1\n", "x\n1\n1\n"), "different") << "another number of rows";
+  EXPECT_EQ(compare_files("a.csv", "t\n1\n2\n", "t\n2\n1\n", {}).sameness, Sameness::different)
+      << "rows reordered";
+  const FileDifference tiny = compare_files("a.csv", "x\n1e308\n5e-324\n", "x\n1e308\n0\n", {});
+  EXPECT_EQ(tiny.sameness, Sameness::within)
+      << "too small a share to be told, but not the same: " << tiny.in_words;
+}
+
+std::string still(const std::string& row, int depth = 8, int kind = 2, const MadeChunks& extra = {}) {
+  MadeChunks chunks{{"IHDR", header_of(2, 2, depth, kind)}};
+  chunks.insert(chunks.end(), extra.begin(), extra.end());
+  chunks.emplace_back("IDAT", rows_of(2, row));
+  chunks.emplace_back("IEND", "");
+  return file_of(chunks);
+}
+
+TEST(Diff, PicturesAreComparedAsTheyAreSeen) {
+  const auto result = [](const std::string& a, const std::string& b) {
+    return word(compare_files("a.png", a, b, {.channel = 0, .density = 0, .numbers = 0}).sameness);
+  };
+  const std::string black = still(std::string(6, '\0')), white = still(std::string(6, '\xFF'));
+  EXPECT_EQ(result(black, white), "different");
+  EXPECT_EQ(result(black, still(std::string(1, '\0'), 1, 0)), "identical") << "of another depth";
+  EXPECT_EQ(result(white, still("\x80\x80", 8, 3, {{"PLTE", std::string(384, 'x') + "\xFF\xFF\xFF"}})),
+            "identical")
+      << "of a palette";
+  EXPECT_EQ(result(white, still("\xFF\xFF", 8, 0)), "identical") << "of grays";
+  EXPECT_EQ(result(white, still(std::string(12, '\xFF'), 16, 2)), "identical") << "of 16 bits";
+  EXPECT_EQ(result(white, still(std::string(11, '\xFF') + '\xFE', 16, 2)), "different")
+      << "by less than 8 bits tell";
+  EXPECT_EQ(result(white, still(std::string(8, '\xFF'), 8, 6)), "identical") << "of opacity";
+  EXPECT_EQ(result(white, still(std::string(7, '\xFF') + '\xFE', 8, 6)), "different") << "of another opacity";
+  EXPECT_EQ(result(still(std::string("abc\0def\0", 8), 8, 6), still(std::string("xyz\0uvw\0", 8), 8, 6)),
+            "identical")
+      << "a colour without opacity";
+  EXPECT_EQ(result(white, still("\xFF\xFF", 8, 0, {{"tRNS", u16(255)}})), "different")
+      << "a gray without opacity";
+  EXPECT_EQ(result(white, still("\xFF\xFF", 8, 0, {{"gAMA", u32(100000)}})), "different") << "another gamma";
+  EXPECT_EQ(result(white, still("\xFF\xFF", 8, 0, {{"tEXt", "whatever"}})), "identical") << "a text";
+}
+
+struct MadeAnimation {
+  std::string still_pixel = "abc";
+  bool still_is_frame = false;
+  std::vector<std::string> pixels{"abc", "XYZ"};
+  std::uint32_t plays = 0;
+  std::vector<MadeFrame> frames{{2, 2}, {2, 2}};
+
+  std::string bytes() const {
+    MadeChunks chunks{{"IHDR", header_of(2, 2)},
+                      {"acTL", animation_of(static_cast<std::uint32_t>(pixels.size()), plays)}};
+    std::uint32_t number = 0;
+    if (!still_is_frame) chunks.emplace_back("IDAT", flat_data(2, 2, still_pixel));
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      const std::string data =
+          flat_data(static_cast<int>(frames[k].width), static_cast<int>(frames[k].height), pixels[k]);
+      chunks.emplace_back("fcTL", control_of(number++, frames[k]));
+      if (k == 0 && still_is_frame)
+        chunks.emplace_back("IDAT", data);
+      else
+        chunks.emplace_back("fdAT", u32(number++) + data);
+    }
+    chunks.emplace_back("IEND", "");
+    return file_of(chunks);
+  }
+};
+
+TEST(Diff, AnimationsDifferInFramesDelaysPlaysAndStillPicture) {
+  const MadeAnimation made;
+  const std::string plain = made.bytes();
+  const auto changed = [&](auto change) {
+    MadeAnimation other = made;
+    change(other);
+    const FileDifference found = compare_files("a.png", plain, other.bytes(), {});
+    return word(found.sameness) + ": " + found.in_words;
+  };
+  using Made = MadeAnimation;
+  EXPECT_EQ(changed([](Made& m) {
+              m.frames[1].delay = 2;
+              m.frames[1].unit = 50;
+            }),
+            "identical: the same pixels");
+  EXPECT_EQ(changed([](Made& m) { m.frames[1].unit = 1; }), "different: frame 1: shown for 1/25 and 1/1 s");
+  EXPECT_EQ(changed([](Made& m) { m.frames[0].delay = 0; }), "different: frame 0: shown for 1/25 and 0/25 s");
+  EXPECT_EQ(changed([](Made& m) { m.plays = 1; }), "different: played without end and 1 times");
+  EXPECT_EQ(changed([](Made& m) { m.pixels.pop_back(); }), "different: 2 frames and 1 frames");
+  EXPECT_TRUE(changed([](Made& m) { m.pixels[1] = "xyz"; }).starts_with("different: frame 1: 4 pixels"));
+  EXPECT_TRUE(changed([](Made& m) { m.still_pixel = "xyz"; }).starts_with("different: the still picture"));
+  EXPECT_EQ(changed([](Made& m) { m.still_is_frame = true; }), "identical: the same pixels")
+      << "as all see it";
+  EXPECT_TRUE(changed([](Made& m) {
+                m.frames[1] = {1, 2, 1, 0};
+              }).starts_with("different: frame 1: 2 pixels"))
+      << "the other half is as before";
+  EXPECT_TRUE(changed([](Made& m) {
+                m.frames[0].after = 1;
+                m.frames[1] = {1, 2, 1, 0};
+              }).starts_with("different: frame 1: "));
+  EXPECT_EQ(changed([](Made& m) { m.frames[1].blend = 1; }), "identical: the same pixels") << "it is opaque";
+  EXPECT_EQ(changed([](Made& m) { m.frames[1].after = 1; }), "identical: the same pixels")
+      << "it is the last";
+}
+
+TEST(Diff, EmptyAnimationsAreTheirStillPictureAndNoStillPicture) {
+  const auto empty = [](const std::string& pixel) {
+    return still(pixel + pixel, 8, 2, {{"acTL", animation_of(1)}});
+  };
+  EXPECT_EQ(compare_files("a.png", empty("abc"), empty("xyz"), {}).sameness, Sameness::different);
+  EXPECT_EQ(compare_files("a.png", empty("abc"), empty("abc"), {}).sameness, Sameness::identical);
+  EXPECT_EQ(compare_files("a.png", empty("abc"), still("abcabc"), {}).in_words,
+            "an animation without frames and a still picture");
+  EXPECT_EQ(compare_files("a.png", empty("abc"), MadeAnimation().bytes(), {}).in_words,
+            "an animation without frames and 2 frames");
+  EXPECT_EQ(compare_files("a.png", still("abcabc"), MadeAnimation().bytes(), {}).in_words,
+            "a still picture and 2 frames");
+}
+
+TEST(Diff, VerdictsOfOneNameAndOfListedReportsAreAllCompared) {
+  const auto result = [](const std::string& a, const std::string& b) {
+    return compare_files("results.json", a, b, {}).in_words;
+  };
+  const auto two = [](const char* first, const char* second) {
+    return fmt::format(R"({{"verdicts":[{{"name":"a","status":"{}"}},{{"name":"a","status":"{}"}}]}})", first,
+                       second);
+  };
+  EXPECT_EQ(result(two("failed", "passed"), two("passed", "passed")), "a: failed → passed");
+  EXPECT_EQ(result(two("passed", "failed"), two("passed", "passed")), "a (2): failed → passed");
+  EXPECT_EQ(result(R"({"reports":[)" + std::string(R"({"folder":"x","outcome":"accurate"}]})"),
+                   R"({"reports":[{"folder":"x","outcome":"unstable"}]})"),
+            "x: outcome: accurate → unstable");
+  EXPECT_EQ(result(R"({"outcome":"accurate"})", R"({"outcome":null})"), "outcome: accurate → no text");
+}
+
 TEST(Diff, DamagedFilesAreUnreadableAndFail) {
   const GlContext context;
   const std::string png = drawn(context, sample(), "one");
@@ -226,7 +389,7 @@ TEST_F(DiffProgram, AcceptLeavesAFolderAloneThatIsNoOutput) {
 
 TEST_F(DiffProgram, BadArgumentsAndFilesAreRefusedInOneLine) {
   write_text(folder / "a.txt", "1");
-  write_text(folder / "b.txt", "2");
+  write_text(folder / "broken.csv", "x\n\"1\n");
   for (const auto& [arguments, status] : {std::pair<std::vector<std::string>, int>{{"a"}, 2},
                                           {{"a", "b", "--channel", "256"}, 2},
                                           {{"a", "b", "--channel", "x"}, 2},
@@ -234,12 +397,133 @@ TEST_F(DiffProgram, BadArgumentsAndFilesAreRefusedInOneLine) {
                                           {{"a", "b", "--numbers", "-1"}, 2},
                                           {{"a", "nothing"}, 3},
                                           {{"a", "a.txt"}, 3},
-                                          {{"a.txt", "b.txt"}, 3},
+                                          {{"a/run.h5", "/dev/null"}, 3},
+                                          {{"a/x.csv", "broken.csv"}, 3},
                                           {{"a", "b", "--html", "no/such/folder/page.html"}, 5}}) {
     const Ended ended = diff(arguments);
     EXPECT_EQ(ended.status, status) << testing::PrintToString(arguments) << ended.err;
     expect_one_line(ended.err);
   }
+}
+
+TEST_F(DiffProgram, NothingComparedIsNoAgreement) {
+  fs::create_directories(folder / "empty");
+  fs::create_directories(folder / "hollow/within");
+  write_text(folder / "c/run.h5", "first");
+  write_text(folder / "d/run.h5", "second");
+  write_text(folder / "e/x.csv", "t,x\n");
+  write_text(folder / "f/x.csv", "t,x\n");
+  write_text(folder / "g/results.json", R"({"verdicts":[]})");
+  write_text(folder / "h/results.json", R"({"verdicts":[], "seconds": 1})");
+  for (const auto& [a, b] :
+       {std::pair{"empty", "hollow"}, {"c", "d"}, {"e", "f"}, {"g", "h"}, {"c/run.h5", "d/run.h5"}}) {
+    const Ended ended = diff({a, b});
+    EXPECT_EQ(ended.status, 1) << a << ended.out << ended.err;
+    EXPECT_NE(ended.out.find("no agreement"), std::string::npos) << ended.out;
+    const Json json = Json::parse(diff({a, b, "--json"}).out);
+    EXPECT_EQ(json["compared"], 0) << a;
+    const Ended accepting = diff({a, b, "--accept"});
+    EXPECT_EQ(accepting.status, 1) << a << accepting.out;
+  }
+}
+
+TEST_F(DiffProgram, FilesOfUnknownKindsAreComparedByTheirBytes) {
+  write_text(folder / "a/notes.txt", std::string(3'000'000, 'x') + "a");
+  write_text(folder / "b/notes.txt", std::string(3'000'000, 'x') + "b");
+  EXPECT_NE(diff({"a", "b"}).out.find("1 of 2 files differ"), std::string::npos);
+  write_text(folder / "b/notes.txt", std::string(3'000'000, 'x') + "a");
+  EXPECT_NE(diff({"a", "b"}).out.find("None of 2 files differs"), std::string::npos);
+  EXPECT_EQ(diff({"a/notes.txt", "b/notes.txt"}).status, 0);
+  write_text(folder / "b/notes.txt", std::string(3'000'000, 'x'));
+  EXPECT_EQ(diff({"a/notes.txt", "b/notes.txt"}).status, 1);
+}
+
+TEST_F(DiffProgram, WhatIsNoFileIsNeverTheSame) {
+  const auto unreadable = [&](const char* what) {
+    const Ended ended = diff({"a", "b"});
+    EXPECT_EQ(ended.status, 1) << what << ended.out << ended.err;
+    EXPECT_NE(ended.out.find("unreadable"), std::string::npos) << what << ended.out;
+  };
+  for (const char* side : {"a/odd", "b/odd"}) fs::create_directory_symlink(folder / "a", folder / side);
+  unreadable("links to folders");
+  for (const char* side : {"a/odd", "b/odd"}) {
+    fs::remove(folder / side);
+    fs::create_symlink("nowhere", folder / side);
+  }
+  unreadable("links to nothing");
+  for (const char* side : {"a/odd", "b/odd"}) {
+    fs::remove(folder / side);
+    ASSERT_EQ(::mkfifo((folder / side).c_str(), 0600), 0);
+  }
+  unreadable("pipes");
+  const Ended pipe = diff({"a/odd", "b/x.csv"});
+  EXPECT_EQ(pipe.status, 3);
+  expect_one_line(pipe.err);
+}
+
+TEST_F(DiffProgram, ThePathsThatOverlapAreToldAndNeverAccepted) {
+  write_text(folder / "a/sub/x.csv", "t,x\n0,2\n");
+  fs::create_directory_symlink(folder / "a", folder / "link");
+  const Ended same = diff({"a", "link"});
+  EXPECT_EQ(same.status, 0);
+  EXPECT_NE(same.err.find("are the same"), std::string::npos) << same.err;
+  EXPECT_NE(diff({"a", "a/sub"}).err.find("lies in"), std::string::npos);
+  for (const auto& [first, second] : {std::pair{"a", "a"},
+                                      {"a", "./a/"},
+                                      {"a", "link"},
+                                      {"a", "a/sub"},
+                                      {"a/sub", "a"},
+                                      {"a/new", "a"},
+                                      {"link/sub", "a"},
+                                      {"a", "a/../a/sub"},
+                                      {"a/x.csv", "link/x.csv"}}) {
+    const Ended ended = diff({first, second, "--accept"});
+    EXPECT_EQ(ended.status, 2) << first << " " << second << ended.out;
+    expect_one_line(ended.err);
+  }
+  EXPECT_EQ(read_text(folder / "a/x.csv"), "t,x\n0,1\n");
+  EXPECT_EQ(read_text(folder / "a/sub/x.csv"), "t,x\n0,2\n");
+  EXPECT_EQ(diff({"a", "b", "--html", "a/x.csv"}).status, 2);
+  EXPECT_EQ(diff({"a/x.csv", "b/x.csv", "--html", "b/x.csv"}).status, 2);
+  EXPECT_EQ(read_text(folder / "b/x.csv"), "t,x\n0,1\n") << "what is compared is not written over";
+}
+
+TEST_F(DiffProgram, APictureTooLargeIsRefusedAtOnce) {
+  const std::string bomb =
+      file_of({{"IHDR", header_of(32768, 32768)}, {"IDAT", deflated("x")}, {"IEND", ""}});
+  write_text(folder / "a/big.png", bomb);
+  write_text(folder / "b/big.png", bomb);
+  const Ended ended = diff({"a/big.png", "b/big.png"});
+  EXPECT_EQ(ended.status, 3) << ended.out;
+  expect_one_line(ended.err);
+  EXPECT_EQ(diff({"a", "b"}).status, 1) << "within a folder the others are compared all the same";
+}
+
+TEST_F(DiffProgram, IsInterruptedWithinASecond) {
+  // Many seconds of pixels for a processor of today.
+  const std::string data = rows_of(4000, std::string(4000 / 8, '\x55'));
+  std::string bytes[2];
+  for (int i = 0; i < 2; ++i) {
+    MadeChunks chunks{{"IHDR", header_of(4000, 4000, 1, 0)}, {"acTL", animation_of(100)}, {"IDAT", data}};
+    std::uint32_t number = 0;
+    for (int k = 0; k < 100; ++k) {
+      chunks.emplace_back("fcTL",
+                          control_of(number++, {4000, 4000, 0, 0, 1, 25, 0, i == 1 && k == 99 ? 1 : 0}));
+      chunks.emplace_back("fdAT", u32(number++) + data + (i == 1 ? " " : ""));
+    }
+    chunks.emplace_back("IEND", "");
+    bytes[i] = file_of(chunks);
+  }
+  write_text(folder / "a.png", bytes[0]);
+  write_text(folder / "b.png", bytes[1]);
+  const pid_t child = start({PLUMB_PROGRAM, "diff", "a.png", "b.png"}, folder.path());
+  ::usleep(500'000);
+  ::kill(child, SIGINT);
+  const auto asked = std::chrono::steady_clock::now();
+  const Ended ended = finish(child, folder.path());
+  const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - asked;
+  EXPECT_EQ(ended.status, 130) << ended.out << ended.err;
+  EXPECT_LT(waited.count(), 2) << "on a machine that does other things too";
 }
 
 TEST_F(DiffProgram, PageShowsBothPicturesAndTheMarks) {

@@ -17,8 +17,13 @@ inline Stability made_stability() {
   study.duration = 10;
   study.tolerance = 0.01;
   study.provenance = {{"program", "test data"}};
-  const std::vector<Outcome> row{Outcome::accurate,   Outcome::inaccurate,     Outcome::unstable,
-                                 Outcome::diverged,   Outcome::no_convergence, Outcome::singular,
+  const std::vector<Outcome> row{Outcome::accurate,
+                                 Outcome::inaccurate,
+                                 Outcome::unstable,
+                                 Outcome::diverged,
+                                 Outcome::no_convergence,
+                                 Outcome::singular,
+                                 Outcome::unstable_equilibrium,
                                  Outcome::out_of_time};
   for (const bool by_step : {true, false})
     for (const MapAxis axis : {MapAxis::parameter, MapAxis::elements, MapAxis::duration}) {
@@ -27,7 +32,7 @@ inline Stability made_stability() {
       map.method.name = by_step ? "rk4" : "cvode-bdf";
       map.by_step = by_step;
       map.axis = axis;
-      for (int k = 0; k < 7; ++k) map.settings.push_back(1e-4 * std::pow(2.0, k));
+      for (int k = 0; k < 8; ++k) map.settings.push_back(1e-4 * std::pow(2.0, k));
       map.values = axis == MapAxis::parameter  ? std::vector<double>{1, 5}
                    : axis == MapAxis::elements ? std::vector<double>{4, 8}
                                                : std::vector<double>{2, 10};

@@ -45,7 +45,7 @@ TEST(ProgramFaults, EachEndsWithOneLineAndItsStatus) {
       {{"run", good, "--set", "figure.0.name=strain_map"}, 3, "is the name of a figure that every run has"},
       {{"run", good, "--set", "scene.frame_rate=0.001"}, 3, "scene.frame_rate"},
       {{"run", good, "--set", "scene.size=[20000,20000]"}, 3, "scene.size"},
-      {{"run", good, "-o", "mine"}, 5, "it has no run.h5"},
+      {{"run", good, "-o", "mine"}, 5, "mine: cannot be written: it holds thesis.tex and no manifest.json"},
       {{"run", good, "-o", "/proc"}, 5, "cannot be written"},
       {{"run", good, "-o", "to_nothing"}, 5, "it is a link to nothing"},
       {{"run", good, "-o", "plain"}, 5, "plain: cannot be written"},
@@ -136,7 +136,9 @@ TEST(ProgramFaults, OutputThatCannotBeWrittenIsNoSuccess) {
   const TemporaryFolder folder;
   const std::string plumb = std::string(PLUMB_PROGRAM) + " ", good = case_path("pendulum.toml");
   for (const std::string& arguments :
-       {"check " + good + " --json", "solve " + good + " --quiet --csv -", std::string("doctor --json")}) {
+       {"check " + good + " --json", "check " + good, "solve " + good + " --quiet --csv -",
+        "solve " + good + " --quiet --json --set time.end=0.02", std::string("doctor --json"),
+        std::string("--help"), std::string("--version"), std::string("diff --json stdout stdout")}) {
     const Ended ended = run_command({"sh", "-c", plumb + arguments + " >/dev/full"}, folder.path());
     EXPECT_EQ(ended.status, 5) << arguments;
     EXPECT_NE(ended.err.find("standard output: cannot be written"), std::string::npos) << ended.err;

@@ -8,7 +8,10 @@ namespace {
 using Json = nlohmann::json;
 
 /// A pendulum so short that everything about it is quick.
-const std::vector<std::string> quick{"--set", "time.end=0.1", "--set", "scene.size=[160,90]"};
+const std::vector<std::string> quick{"--set", "time.end=0.1",
+                                     "--set", "reference.0.coverage.to=0.1",
+                                     "--set", "reference.1.coverage.to=0.1",
+                                     "--set", "scene.size=[160,90]"};
 
 std::vector<std::string> with_quick(std::vector<std::string> arguments) {
   arguments.insert(arguments.end(), quick.begin(), quick.end());

@@ -5,12 +5,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "render/utf8.h"
 #include "report/base64.h"
 #include "report/case_json.h"
 #include "report/escape.h"
 #include "report/figures.h"
+#include "report/junit_suites.h"
 #include "report/page.h"
 #include "report/results.h"
+#include "report/run_index.h"
 #include "tests/report/made_run.h"
 
 namespace plumb {
@@ -24,16 +27,38 @@ TEST(SeriesError, IsTheDistanceAtTheReferenceTimes) {
   EXPECT_EQ(errors[0].max_time, 1);
   EXPECT_NEAR(errors[0].rms, 0.1 / std::sqrt(3), 1e-15);
   EXPECT_NEAR(errors[0].difference[2], -0.1, 1e-15) << "the difference is run minus reference";
-  EXPECT_EQ(errors[0].interpolated, 0u);
-  EXPECT_EQ(errors[0].missed, 0u);
+  EXPECT_EQ(errors[0].coverage.interpolated, 0u);
+  EXPECT_EQ(errors[0].coverage.demanded, 3u);
+  EXPECT_EQ(errors[0].coverage.compared, 3u);
+}
+
+/// The run with nine outputs in place of three.
+plumb::Run run_with_more_outputs() {
+  plumb::Run run = run_with("a");
+  Trajectory& motion = run.trajectory;
+  const Eigen::VectorXd q = motion.q[0], v = motion.v[0];
+  motion.times.clear();
+  motion.q.clear();
+  motion.v.clear();
+  motion.energies.assign(9, motion.energies[0]);
+  for (int k = 0; k <= 8; ++k) {
+    const double t = k / 8.0;
+    motion.times.push_back(t);
+    motion.q.push_back(q);
+    motion.v.push_back(v);
+    motion.q.back()[7] = -t * t;
+    motion.v.back()[7] = -2 * t;
+  }
+  run.probes = probe(run.loaded.spec, motion);
+  return run;
 }
 
 TEST(SeriesError, InterpolatesBetweenOutputsAndCountsIt) {
-  plumb::Run run = run_with("a");
-  run.loaded.references[0].times[1] = 0.75;
-  run.loaded.references[0].series[0].values[1] = -0.75 * 0.75;
+  plumb::Run run = run_with_more_outputs();
+  run.loaded.references[0].times[1] = 0.7;
+  run.loaded.references[0].series[0].values[1] = -0.7 * 0.7;
   const std::vector<SeriesError> errors = series_errors(run);
-  EXPECT_EQ(errors[0].interpolated, 1u);
+  EXPECT_EQ(errors[0].coverage.interpolated, 1u);
   EXPECT_NEAR(errors[0].difference[1], 0, 1e-15);
 }
 
@@ -53,7 +78,7 @@ TEST(Verdict, ThatCouldNotBeReachedIsNotRunAndDoesNotPass) {
   run.trajectory.end_time = 0.6;
   const std::vector<SeriesError> errors = series_errors(run);
   const std::vector<Verdict> found = verdicts(run, errors);
-  EXPECT_EQ(errors[0].missed, 1u);
+  EXPECT_EQ(errors[0].coverage.compared, 2u);
   EXPECT_EQ(found[0].status, VerdictStatus::not_run);
   EXPECT_EQ(found[0].value, -1);
   EXPECT_FALSE(all_passed(found));
@@ -64,7 +89,10 @@ TEST(Verdict, ReferenceBeyondTheRunIsNotRun) {
   run.loaded.references[0].times = {7, 8, 9};
   const std::vector<Verdict> found = verdicts(run, series_errors(run));
   EXPECT_EQ(found[0].status, VerdictStatus::not_run);
-  EXPECT_EQ(found[0].message, "no time of the reference is within the run, which ends at 1 s");
+  EXPECT_EQ(
+      found[0].message,
+      "only 0 of 3 times of the reference can be compared: Plumb has t = 7 s not: it is from 0 to 1 s, and "
+      "nothing is extrapolated");
 }
 
 TEST(Verdict, DistanceThatIsNotANumberFails) {
@@ -90,10 +118,12 @@ TEST(SeriesError, DoesNotOverflow) {
 }
 
 TEST(Verdict, SaysHowManyTimesWereInterpolated) {
-  plumb::Run run = run_with("a");
-  run.loaded.references[0].times[1] = 0.75;
-  EXPECT_EQ(verdicts(run, series_errors(run))[0].detail,
-            "over 3 of 3 times, the greatest at 0.75 s; 1 of them interpolated between outputs 0.5 s apart");
+  plumb::Run run = run_with_more_outputs();
+  run.loaded.references[0].times[1] = 0.7;
+  EXPECT_EQ(
+      verdicts(run, series_errors(run))[0].detail,
+      "the greatest at 0.7 s; over 3 of 3 times from 0 to 1 s, outputs at most 0.125 s apart; 1 of them "
+      "interpolated, which may be 0 m off (every second output left out)");
 }
 
 TEST(Verdict, RunOfAnotherCableIsNotHeldAgainstAReference) {
@@ -127,7 +157,7 @@ TEST(Headline, ClaimsOnlyWhatWasEvaluated) {
       "0.1 m from the published figures (at 3 of 3 times).");
   run.loaded.references[0].cable.length = 3;
   EXPECT_EQ(headline(evaluate(run, {})),
-            "Completed, but not held against anything. Of 1 criterion, 0 not met and 1 not evaluated.");
+            "Completed, but not held against anything. Of 1 criterion, 0 not met and 1 not run.");
   run.trajectory.outcome = Outcome::diverged;
   run.trajectory.message = "it broke";
   EXPECT_EQ(headline(evaluate(run, {})), "The integration did not finish (diverged): it broke.");
@@ -370,12 +400,73 @@ TEST(Results, SummaryStaysBelowItsSizeWhateverTheCase) {
   EXPECT_NE(text.find("more criteria are in results.json"), std::string::npos);
 }
 
+/// Controls, bytes that are no UTF-8, code points that are no characters, and marks of every kind.
+const std::string nasty =
+    std::string("a\0b", 3) +
+    "\x01\x08\x0b\x1b[31m\x7f\xc2\x80\xc2\x9f|\xef\xbf\xbe\xef\xbf\xbf\xef\xb7\x90\xf0\x9f\xbf\xbf"
+    "\xed\xa0\x80\xff\xc0\xaf\xe2\x82<script>]]>&\"'`![x](http://y)\n# h | \xc3\xa9\xf0\x9f\x98\x80";
+
+/// The code points of a text that is valid UTF-8, or a failure.
+std::u32string points_of(const std::string& text) {
+  const std::u32string points = decode_utf8(text);
+  std::string again;
+  for (const char32_t point : points) append_utf8(again, point);
+  EXPECT_EQ(again, text) << "it is no UTF-8";
+  return points;
+}
+
 TEST(Escape, XmlHasNoForbiddenCharacterLeft) {
   EXPECT_EQ(escape_xml("a<b>&\"c'\n\x01"), "a&lt;b&gt;&amp;&quot;c&#39;\n\uFFFD");
+  EXPECT_EQ(escape_xml("\xef\xbf\xbe\xef\xbf\xbf"), "\uFFFD\uFFFD") << "U+FFFE and U+FFFF";
+  EXPECT_EQ(escape_xml("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD") << "a surrogate";
+  EXPECT_EQ(escape_xml("\u00e9\U0001F600\u20ac"), "\u00e9\U0001F600\u20ac");
+  for (const char32_t point : points_of(escape_xml(nasty))) {
+    EXPECT_FALSE(point < 0x20 && point != '\n') << static_cast<unsigned>(point);
+    EXPECT_NE(point & 0xFFFEU, 0xFFFEU) << static_cast<unsigned>(point);
+  }
 }
 
 TEST(Escape, MarkdownCellStaysOneCell) {
   EXPECT_EQ(escape_markdown("a|b\nc<d>"), "a\\|b c&lt;d\\>");
+  EXPECT_EQ(escape_markdown("see https://x.y, www.z"), "see https\\://x.y, www\\.z");
+  EXPECT_EQ(escape_markdown("1.5: a"), "1.5: a");
+  const std::string cell = escape_markdown(nasty);
+  points_of(cell);
+  for (std::size_t i = 0; i < cell.size(); ++i)
+    if (std::string_view("|`<\n\x1b[]").find(cell[i]) != std::string_view::npos) {
+      EXPECT_TRUE(cell[i] != '\n' && cell[i] != '<' && i > 0 && cell[i - 1] == '\\') << cell.substr(i);
+    }
+}
+
+TEST(Escape, MarkdownCodeStaysCode) {
+  EXPECT_EQ(markdown_code("plumb run a"), "`plumb run a`");
+  EXPECT_EQ(markdown_code("a`b``c\nd"), "``` a`b``c d ```");
+}
+
+TEST(Results, WhatTheCaseIsCalledBreaksNoFileOfTheReport) {
+  const plumb::Run run = run_with("a");
+  Document document = document_of(evaluate(run, {}), {});
+  for (const char* key : {"title", "headline", "outcome", "outcome_reason"}) document[key] = nasty;
+  for (const char* key : {"name", "criterion", "message", "detail", "reason", "unit"})
+    document["verdicts"][0][key] = nasty;
+  document["solve"]["method"] = nasty;
+  document["solve"]["message"] = nasty;
+  document["energy"]["drift_in_words"] = nasty;
+  const std::string index = index_junit({{nasty, document}});
+  for (const std::string& xml : {to_junit(document), index}) {
+    for (const char32_t point : points_of(xml)) {
+      EXPECT_FALSE(point < 0x20 && point != '\n') << static_cast<unsigned>(point);
+      EXPECT_NE(point & 0xFFFEU, 0xFFFEU) << static_cast<unsigned>(point);
+    }
+    EXPECT_EQ(xml.find("<script"), std::string::npos);
+    EXPECT_EQ(std::count(xml.begin(), xml.end(), '<'), std::count(xml.begin(), xml.end(), '>'));
+  }
+  for (const std::string& text : {to_summary(document), index_summary(index_of({{nasty, document}}, {}))}) {
+    points_of(text);
+    EXPECT_EQ(text.find("<script"), std::string::npos) << text;
+    EXPECT_EQ(text.find("http://"), std::string::npos) << text;
+    EXPECT_EQ(text.find("\n# h"), std::string::npos) << text;
+  }
 }
 
 TEST(Base64, FollowsTheStandardsExamples) {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "report/results.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -50,7 +51,7 @@ TEST(Schema, RefusesWhatIsNoReport) {
     write_text(folder / "faulty.json", json.dump());
     EXPECT_EQ(check(folder.path(), {"faulty.json"}).status, 1) << what;
   };
-  faulty("another version", [](Json& json) { json["schema_version"] = 2; });
+  faulty("another version", [](Json& json) { json["schema_version"] = results_version + 1; });
   faulty("a key that is missing", [](Json& json) { json.erase("energy"); });
   faulty("a key that is not described", [](Json& json) { json["surprise"] = 1; });
   faulty("a fifth kind of verdict", [](Json& json) { json["verdicts"][0]["kind"] = "opinion"; });

@@ -121,7 +121,7 @@ TEST_F(ReportFromDocument, SaysWhatIsWrongWithIt) {
   refused(changed([](Json& json) { json["schema_version"] = 7; }), "schema_version is 7");
   refused(changed([](Json& json) { json.erase("energy"); }), "energy is missing");
   refused(changed([](Json& json) { json["solve"].erase("steps"); }), "steps");
-  refused(changed([](Json& json) { json["title"] = 3; }), "damaged");
+  refused(changed([](Json& json) { json["title"] = 3; }), "another type");
   refused(changed([](Json& json) { json["verdicts"][0]["kind"] = "opinion"; }), "opinion");
   refused(changed([](Json& json) { json["case"]["method"]["name"] = "magic"; }), "magic");
   fs::remove(folder_ / "run/player.png");

@@ -66,8 +66,8 @@ TEST(StabilityResults, JsonJunitAndSummarySayTheSame) {
   EXPECT_EQ(json["stability"]["maps"][0]["points"][2]["message"], "it ended so");
   EXPECT_EQ(
       json["headline"],
-      "84 points in 6 maps: 12 accurate, 12 inaccurate, 12 unstable, 12 diverged, 12 no-convergence, 12 "
-      "singular, 12 out-of-time. 4 of 4 criteria met.");
+      "96 points in 6 maps: 12 accurate, 12 inaccurate, 12 unstable, 12 diverged, 12 no-convergence, 12 "
+      "singular, 12 unstable-equilibrium, 12 out-of-time. 4 of 4 criteria met.");
   const std::string junit = to_junit(results), summary = to_summary(results);
   EXPECT_NE(junit.find("failures=\"0\""), junit.npos);
   EXPECT_EQ(junit.find("<b>"), junit.npos);

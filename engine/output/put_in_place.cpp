@@ -1,0 +1,260 @@
+#include "engine/output/put_in_place.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include "engine/output/file_writing.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Below the temporary folder: what was taken away, and the manifests that are to come.
+constexpr std::string_view removed = "removed/";
+constexpr const char* manifest_of_both = "both.json";
+constexpr const char* manifest_to_be = "new.json";
+
+[[noreturn]] void fail(int error) {
+  throw std::system_error(error, std::generic_category());
+}
+
+bool is_not_known_here(int error) {
+  return error == EINVAL || error == ENOSYS || error == ENOTSUP;
+}
+
+void write_new(int folder, const char* name, std::string_view bytes) {
+  const int file = ::openat(folder, name, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (file < 0) fail(errno);
+  int error = write_all(file, bytes);
+  if (error == 0) error = flush_to_disk(file);
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error != 0) fail(error);
+}
+
+/// Flushes the folders below an open one that files lie in, and that folder.
+void flush_folders(int folder, const ListedFiles& files) {
+  std::set<std::string> parents;
+  for (const auto& [name, file] : files)
+    for (fs::path parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path())
+      parents.insert(parent.string() + "/.");
+  parents.insert(".");
+  for (const std::string& name : parents) {
+    const Beneath place = find_beneath(folder, name);
+    if (!place.folder) {
+      if (errno == ENOENT) continue;
+      fail(errno);
+    }
+    if (const int error = flush_to_disk(place.folder.get())) fail(error);
+  }
+}
+
+void flush_files(int folder, const ListedFiles& files) {
+  for (const auto& [name, file] : files) {
+    const Beneath place = find_beneath(folder, name);
+    const Descriptor open(
+        place.folder ? ::openat(place.folder.get(), place.name.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC)
+                     : -1);
+    if (!open) fail(errno);
+    if (const int error = flush_to_disk(open.get())) fail(error);
+  }
+  flush_folders(folder, files);
+}
+
+void flush_parent(const std::string& path) {
+  const Descriptor parent = open_folder(fs::path(path).parent_path().string());
+  if (!parent) fail(errno);
+  if (const int error = flush_to_disk(parent.get())) fail(error);
+}
+
+int rename_with(unsigned flags, const std::string& from, const std::string& to) {
+  return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flags) == 0 ? 0 : errno;
+}
+
+/// Files moved between two folders, so that all can be moved back.
+class Moves {
+ public:
+  Moves(int part, int folder) : part_(part), folder_(folder) {}
+
+  /// Moves a file of the temporary folder to a name in the other one; what has that name now, if it is
+  /// `there`, takes its place. Returns the error number, or 0.
+  int put(const std::string& from, const std::string& to, bool there) {
+    const Beneath source = find_beneath(part_, from), target = find_beneath(folder_, to, true);
+    if (!source.folder || !target.folder) return errno;
+    if (!there) return move(source, target, {from, to, Kind::put});
+    if (::renameat2(source.folder.get(), source.name.c_str(), target.folder.get(), target.name.c_str(),
+                    RENAME_EXCHANGE) == 0) {
+      done_.push_back({from, to, Kind::exchanged});
+      return 0;
+    }
+    if (!is_not_known_here(errno)) return errno;
+    if (const int error = take(to)) return error;
+    return move(source, target, {from, to, Kind::put});
+  }
+
+  /// Moves a file of the folder away into the temporary one. Returns the error number, or 0.
+  int take(const std::string& name) {
+    const std::string to = std::string(removed) + name;
+    const Beneath source = find_beneath(folder_, name), target = find_beneath(part_, to, true);
+    if (!source.folder || !target.folder) return errno;
+    return move(source, target, {to, name, Kind::taken});
+  }
+
+  /// Moves all back, the last first. False if that cannot be done.
+  bool undo() {
+    bool all = true;
+    for (auto step = done_.rbegin(); step != done_.rend(); ++step) {
+      const Beneath part = find_beneath(part_, step->part),
+                    folder = find_beneath(folder_, step->folder, true);
+      const bool out = step->kind == Kind::put;
+      const Beneath &from = out ? folder : part, &to = out ? part : folder;
+      all = ::renameat2(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str(),
+                        step->kind == Kind::exchanged ? RENAME_EXCHANGE : 0) == 0 &&
+            all;
+    }
+    done_.clear();
+    return all;
+  }
+
+ private:
+  enum class Kind { put, taken, exchanged };
+  struct Step {
+    std::string part, folder;  ///< names below the two folders
+    Kind kind;
+  };
+
+  int move(const Beneath& from, const Beneath& to, Step step) {
+    if (::renameat2(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str(),
+                    RENAME_NOREPLACE) != 0) {
+      if (!is_not_known_here(errno)) return errno;
+      struct stat status {};
+      if (::fstatat(to.folder.get(), to.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) return EEXIST;
+      if (::renameat(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str()) != 0)
+        return errno;
+    }
+    done_.push_back(std::move(step));
+    return 0;
+  }
+
+  int part_, folder_;
+  std::vector<Step> done_;
+};
+
+/// Removes the folders that files lay in, as far as they are empty.
+void remove_empty_folders(int folder, const ListedFiles& files) {
+  for (const auto& [name, file] : files)
+    for (fs::path parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path()) {
+      const Beneath place = find_beneath(folder, parent.string());
+      if (!place.folder || ::unlinkat(place.folder.get(), place.name.c_str(), AT_REMOVEDIR) != 0) break;
+    }
+}
+
+}  // namespace
+
+void write_manifest(int folder, const Manifest& manifest) {
+  write_new(folder, manifest_name, encode_manifest(manifest));
+}
+
+bool is_made_on_the_way(FolderContent content, std::string_view name) {
+  if (content == FolderContent::copies || name == manifest_of_both || name == manifest_to_be) return true;
+  if (name.starts_with(removed)) name.remove_prefix(removed.size());
+  return name == manifest_name || belongs_to(FolderContent::results, name);
+}
+
+bool put_at_once(const PlacedFiles& files, const Descriptor& old, FolderContent content) {
+  const std::string part = files.part.path();
+  write_manifest(files.part.descriptor(), {files.written});
+  flush_files(files.part.descriptor(), files.written);
+  struct stat status {};
+  if (old && ::fstat(old.get(), &status) == 0) ::fchmod(files.part.descriptor(), status.st_mode & 07777);
+  if (old) ::flock(old.get(), LOCK_EX);
+  files.part.unmark();
+  const unsigned flags = old ? RENAME_EXCHANGE : 0;
+  if (const int error = rename_with(flags, part, files.path)) {
+    if (old && is_not_known_here(error)) return false;
+    throw WriteError(files.path, error);
+  }
+  std::string fault;
+  try {
+    flush_parent(files.path);
+    if (old && !look_into(Descriptor(::openat(old.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)), content)
+                    .others.empty())
+      fault = "a file that is not Plumb's came into it while it was being replaced";
+  } catch (const std::system_error& error) {
+    fault = error.code().message();
+  }
+  if (!fault.empty()) {
+    const bool back = rename_with(flags, old ? part : files.path, old ? files.path : part) == 0;
+    if (!back) files.part.let_go();
+    throw WriteError(files.path,
+                     back || !old ? fault : fmt::format("{}; what it held is in {}", fault, part));
+  }
+  files.part.let_go();
+  if (old) {
+    ::flock(old.get(), LOCK_UN);
+    clear_leftover(part);
+  }
+  return true;
+}
+
+void put_one_by_one(const PlacedFiles& files) {
+  if (::mkdir(files.path.c_str(), 0777) != 0 && errno != EEXIST) fail(errno);
+  const Descriptor folder = open_folder(files.path);
+  if (!folder) fail(errno);
+  const int part = files.part.descriptor();
+  ::flock(folder.get(), LOCK_EX);
+  flush_files(part, files.written);
+  ListedFiles next = files.kept;
+  next.insert(files.written.begin(), files.written.end());
+
+  Moves moves(part, folder.get());
+  const auto stop = [&](const std::string& name, const std::string& reason) {
+    const bool back = moves.undo();
+    if (!back) files.part.let_go();
+    remove_empty_folders(folder.get(), files.written);
+    throw WriteError(name.empty() ? files.path : files.path + "/" + name,
+                     back ? reason : fmt::format("{}; what was there is in {}", reason, files.part.path()));
+  };
+  const auto check = [&](const std::string& name, int error) {
+    if (error != 0) stop(name, std::generic_category().message(error));
+  };
+  const auto put_manifest = [&](const char* name, const Manifest& manifest) {
+    struct stat status {};
+    write_new(part, name, encode_manifest(manifest));
+    const bool there = ::fstatat(folder.get(), manifest_name, &status, AT_SYMLINK_NOFOLLOW) == 0;
+    check(manifest_name, moves.put(name, manifest_name, there));
+  };
+  try {
+    // From here on each file that has either content is known to be ours, whatever happens.
+    put_manifest(manifest_of_both, {files.ours, next});
+    flush_folders(folder.get(), {});
+    for (const auto& [name, file] : files.written) {
+      if (is_still(folder.get(), name, file)) continue;
+      const auto old = files.ours.find(name);
+      check(name, moves.put(name, name, old != files.ours.end()));
+      if (old != files.ours.end() && !is_still(part, name, old->second) &&
+          !is_still(part, std::string(removed) + name, old->second))
+        stop(name, "it was changed while it was being replaced");
+    }
+    for (const auto& [name, file] : files.ours)
+      if (!next.contains(name)) check(name, moves.take(name));
+    flush_folders(folder.get(), files.written);
+    put_manifest(manifest_to_be, {next});
+    flush_folders(folder.get(), {});
+  } catch (const std::system_error& error) {
+    stop("", error.code().message());
+  }
+  remove_empty_folders(folder.get(), files.listed);
+}
+
+}  // namespace plumb

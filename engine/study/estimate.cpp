@@ -1,0 +1,388 @@
+#include "engine/study/estimate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "engine/input/straight_frequency.h"
+#include "engine/integrate/method_info.h"
+
+namespace plumb {
+namespace {
+
+// What was measured of the program, rounded up.
+constexpr double program_bytes = 20e6;
+constexpr double renderer_bytes = 130e6;        // an OpenGL context in software and the fonts
+constexpr double renderer_mapped = 650e6;       // address space of its libraries and threads
+constexpr double column_bytes = 6000;           // of a data set in an HDF5 file
+constexpr double number_text_bytes = 20;        // of a number in a table of text
+constexpr double report_bytes_an_output = 900;  // of results.json and the tables behind figures
+constexpr double report_bytes = 2e6;
+constexpr double held_a_report_byte = 3;
+
+/// What a method that is not known takes: as much as the most that one does.
+struct Cost {
+  std::string_view method;
+  double bytes;        // a node
+  double nanoseconds;  // an element and step
+};
+constexpr std::array costs{Cost{"velocity-verlet", 520, 40},
+                           Cost{"rk4", 610, 150},
+                           Cost{"runge-kutta-nystrom", 2900, 600},
+                           Cost{"arkode-erk", 2600, 1000},
+                           Cost{"linearly-implicit-euler", 1000, 1000},
+                           Cost{"implicit-euler", 1000, 1500},
+                           Cost{"trapezoidal", 1000, 1500},
+                           Cost{"hht", 1000, 1500},
+                           Cost{"generalized-alpha", 1000, 1500},
+                           Cost{"implicit-midpoint", 1000, 1500},
+                           Cost{"energy-momentum", 3300, 8000},
+                           Cost{"arkode-dirk", 3500, 6000},
+                           Cost{"gauss", 6200, 10000},
+                           Cost{"bdf", 6600, 8000},
+                           Cost{"cvode-adams", 2200, 300},
+                           Cost{"cvode-bdf", 3300, 3000},
+                           Cost{"ida", 4500, 6000},
+                           Cost{"statics", 3000, 8000}};
+constexpr Cost unknown_cost{"", 6600, 10000};
+
+const Cost& cost_of(std::string_view method) {
+  const auto found =
+      std::find_if(costs.begin(), costs.end(), [&](const Cost& cost) { return cost.method == method; });
+  return found != costs.end() ? *found : unknown_cost;
+}
+
+/// The finest mesh that is tried where it is left to the scene.
+constexpr double finest_for_scene = 256;
+/// Runs of a study at once.
+constexpr double at_once = 2;
+
+/// The numbers that sizes are made of.
+struct Sizes {
+  explicit Sizes(const Case& spec)
+      : elements(spec.method.name == scene_method ? std::max<double>(finest_for_scene, spec.cable.elements)
+                                                  : spec.cable.elements),
+        outputs(spec.time.output_interval > 0 ? std::floor(spec.time.end / spec.time.output_interval) + 2
+                                              : 2) {
+    for (const ProbeSpec& probe : spec.probes) columns += is_vector(probe.quantity) ? 3 : 1;
+    steps = steps_of(spec, spec.method, elements);
+  }
+
+  static double steps_of(const Case& spec, const MethodSpec& method, double elements) {
+    if (method.step) return std::ceil(spec.time.end / *method.step);
+    const MethodInfo* info = find_method(method.name);
+    const double least = 100;
+    if (info == nullptr || info->implicit) return least;
+    // An explicit method takes no longer steps than it is stable with.
+    constexpr double stable = 4;
+    CableSpec cable = spec.cable;
+    cable.elements = static_cast<int>(std::max(1.0, std::min(elements, 1e9)));
+    return std::max(least, spec.time.end * straight_frequency(cable) / stable);
+  }
+
+  double nodes() const { return elements + 1; }
+  double states() const { return outputs * state_bytes(nodes()); }
+  static double state_bytes(double nodes) { return 2 * (48 * nodes + 40) + 100; }
+
+  double elements;
+  double outputs;
+  double columns = 1;  // the time
+  double steps = 0;
+};
+
+class Estimating {
+ public:
+  Estimating(const Case& spec, const PlannedWork& work) : spec_(spec), work_(work), sizes_(spec) {}
+
+  Estimate result() {
+    add(Resource::memory, "", "the program", "", program_bytes);
+    if (work_.solves || work_.writes_run || (work_.draws && work_.study.empty())) holding();
+    if (work_.solves) solving();
+    if (work_.writes_run || work_.writes_table) writing();
+    if (work_.assesses) assessing();
+    if (work_.quick_study) work_precision(work_precision_of(spec_).quick, "the quick study");
+    if (!work_.study.empty()) studying();
+    if (work_.draws) drawing();
+    return std::move(result_);
+  }
+
+ private:
+  void add(Resource resource, std::string stage, std::string what, std::string keys, double amount) {
+    result_.parts.push_back({resource, std::move(stage), std::move(what), std::move(keys), amount});
+  }
+
+  void holding() {
+    add(Resource::memory, "",
+        fmt::format("states: {:.0f} outputs × {:.0f} nodes", sizes_.outputs, sizes_.nodes()),
+        "cable.elements, time.output_interval, time.end", sizes_.states());
+    add(Resource::memory, "",
+        fmt::format("probes: {:.0f} outputs × {:.0f} columns", sizes_.outputs, sizes_.columns),
+        "probe, time.output_interval, time.end", 12 * sizes_.outputs * sizes_.columns);
+  }
+
+  void solving() {
+    constexpr const char* stage = "solving";
+    add(Resource::memory, stage,
+        fmt::format("{}: {:.0f} nodes × {:.0f} bytes", spec_.method.name, sizes_.nodes(),
+                    cost_of(spec_.method.name).bytes),
+        "cable.elements, method.name", sizes_.nodes() * cost_of(spec_.method.name).bytes);
+    add(Resource::time, stage,
+        fmt::format("{}: {}{:.3g} steps × {:.0f} elements", spec_.method.name,
+                    spec_.method.step ? "" : "at least ", sizes_.steps, sizes_.elements),
+        spec_.method.step ? "method.step, time.end, cable.elements" : "time.end, cable.elements",
+        run_seconds());
+  }
+
+  double run_seconds() const {
+    return sizes_.steps * sizes_.elements * seconds_an_element(spec_.method.name);
+  }
+
+  void writing() {
+    constexpr const char* stage = "run file";
+    const double table = number_text_bytes * sizes_.outputs * sizes_.columns;
+    if (work_.writes_run) {
+      const double file =
+          sizes_.states() + 8 * sizes_.outputs * sizes_.columns + column_bytes * sizes_.columns;
+      const std::string what = fmt::format("run.h5: {:.0f} outputs × {:.0f} nodes and {:.0f} columns",
+                                           sizes_.outputs, sizes_.nodes(), sizes_.columns);
+      constexpr const char* keys = "cable.elements, time.output_interval, time.end, probe";
+      add(Resource::memory, stage, what, keys, 2.5 * file);
+      add(Resource::disk, stage, what, keys, file);
+    }
+    const std::string what =
+        fmt::format("probes.csv: {:.0f} outputs × {:.0f} columns", sizes_.outputs, sizes_.columns);
+    constexpr const char* keys = "probe, time.output_interval, time.end";
+    // The text grows twofold at a time.
+    add(Resource::memory, work_.writes_run ? "table" : stage, what, keys, 2.5 * table);
+    add(Resource::disk, stage, what, keys, table);
+  }
+
+  void assessing() {
+    if (spec_.uncertainty) {
+      const double samples = spec_.uncertainty->samples;
+      const double finest = 4 * sizes_.elements;
+      const double meshes = spec_.uncertainty->numerical ? 4 : 0;
+      add(Resource::memory, "uncertainty",
+          fmt::format("runs on up to {:.0f} elements, {:.0f} at once", finest, at_once),
+          "cable.elements, time.output_interval",
+          (meshes > 0 ? at_once : 0) * sizes_.outputs * Sizes::state_bytes(finest + 1) +
+              at_once * sizes_.states());
+      add(Resource::memory, "uncertainty",
+          fmt::format("{:.0f} samples × {:.0f} columns", samples, sizes_.columns), "uncertainty.samples",
+          (samples + meshes) * (case_bytes() + reference_bytes()));
+      const double seconds = exact_run_seconds(sizes_.elements);
+      add(Resource::time, "uncertainty", fmt::format("{:.0f} samples", samples), "uncertainty.samples",
+          samples * seconds + (meshes > 0 ? 2 * exact_run_seconds(finest) : 0));
+    }
+    if (spec_.error_budget) {
+      const double runs = static_cast<double>(spec_.error_budget->items.size()) + 2;
+      add(Resource::memory, "error budget", fmt::format("{:.0f} runs", runs), "error_budget.item",
+          at_once * sizes_.states() + runs * reference_bytes());
+      add(Resource::time, "error budget", fmt::format("{:.0f} runs", runs), "error_budget.item",
+          runs * run_seconds());
+    }
+  }
+
+  /// Of a run whose time integration has no part in its error.
+  double exact_run_seconds(double elements) const {
+    MethodSpec exact;
+    exact.name = "arkode-erk";
+    return Sizes::steps_of(spec_, exact, elements) * elements * seconds_an_element("rk4");
+  }
+
+  static double case_bytes() { return 20e3; }
+  /// What is taken down of a run at the times of the references, of which a file has at most this many.
+  double reference_bytes() const {
+    constexpr double times = 1000;
+    return static_cast<double>(spec_.references.size()) * times * 8 * sizes_.columns;
+  }
+
+  void work_precision(const StudyExtent& extent, const std::string& stage) {
+    double meshes = static_cast<double>(extent.elements.size()) + 1, finest = sizes_.elements;
+    for (const int elements : extent.elements) finest = std::max<double>(finest, elements);
+    const double runs = static_cast<double>(extent.methods.size()) * meshes * extent.points * extent.repeats;
+    // A mesh twice as fine stands for the continuum, and two methods are held against one another on it.
+    add(Resource::memory, stage,
+        fmt::format("references: 4 × {:.0f} outputs × {:.0f} nodes", sizes_.outputs, 2 * finest + 1),
+        "study.work_precision.elements, time.output_interval",
+        4 * sizes_.outputs * Sizes::state_bytes(2 * finest + 1));
+    add(Resource::time, stage, fmt::format("at most {:.0f} timed runs × {:g} s", runs, extent.time_limit),
+        "study.work_precision: elements, methods, points, repeats, time_limit", runs * extent.time_limit);
+  }
+
+  void studying() {
+    const std::string stage = "study";
+    if (work_.study == "work-precision") work_precision(work_precision_of(spec_).full, stage);
+    if (work_.study == "stability" && spec_.stability) {
+      const StabilitySpec& s = *spec_.stability;
+      const double columns =
+          static_cast<double>(s.parameter_values.size() + s.elements.size() + s.durations.size());
+      const double runs = static_cast<double>(s.methods.size()) * s.steps * columns;
+      const int finest = s.elements.empty() ? 1 : s.elements.back();
+      add(Resource::memory, stage, fmt::format("{:.0f} runs on up to {} elements", runs, finest),
+          "study.stability: elements, steps, methods",
+          runs * 500 + 4 * sizes_.outputs * Sizes::state_bytes(2.0 * finest + 1));
+      add(Resource::time, stage, fmt::format("at most {:.0f} runs × {:g} s", runs, s.time_limit),
+          "study.stability: methods, steps, elements, parameter_values, durations, time_limit",
+          runs * s.time_limit);
+    }
+    if (work_.study == "sweep" && spec_.sweep) {
+      add(Resource::memory, stage, fmt::format("{} cases", spec_.sweep->cases), "study.sweep.cases",
+          4e3 * spec_.sweep->cases);
+      add(Resource::disk, stage, fmt::format("{} cases", spec_.sweep->cases), "study.sweep.cases",
+          2e3 * spec_.sweep->cases);
+      add(Resource::time, stage,
+          fmt::format("at most {} cases × {:g} s", spec_.sweep->cases, spec_.sweep->time_limit),
+          "study.sweep: cases, time_limit", spec_.sweep->cases * spec_.sweep->time_limit);
+    }
+    if (work_.study == "economy" && spec_.economy) {
+      const double scenes = spec_.economy->scenes + static_cast<double>(spec_.economy->widths.size());
+      constexpr double seconds = 2;
+      add(Resource::memory, stage,
+          fmt::format("{:.0f} scenes, references of {} elements", scenes, spec_.economy->reference_elements),
+          "study.economy: scenes, reference_elements",
+          8e3 * scenes +
+              4 * sizes_.outputs * Sizes::state_bytes(2.0 * spec_.economy->reference_elements + 1));
+      add(Resource::time, stage, fmt::format("{:.0f} scenes", scenes), "study.economy.scenes",
+          seconds * scenes);
+    }
+    if (work_.study == "variants") {
+      const auto variants = static_cast<double>(spec_.variants.size());
+      add(Resource::memory, stage,
+          fmt::format("{:.0f} variants × {:.0f} outputs × {:.0f} nodes", variants, sizes_.outputs,
+                      sizes_.nodes()),
+          "study.variant, cable.elements, time.output_interval", variants * sizes_.states());
+      add(Resource::time, stage, fmt::format("{:.0f} variants", variants), "study.variant",
+          variants * run_seconds());
+    }
+  }
+
+  void drawing() {
+    const SceneSpec& scene = spec_.scene;
+    constexpr const char* stage = "pictures";
+    add(Resource::memory, stage, "the renderer", "", renderer_bytes);
+    result_.drawing_address_space = renderer_mapped;
+    const double pixels = 1.0 * scene.size[0] * scene.size[1];
+    const double all_frames = std::floor(spec_.time.end * scene.frame_rate) + 1;
+    const double frames = work_.frames >= 0 ? std::min(work_.frames, all_frames) : all_frames;
+    const double samples = pixels * scene.supersampling * scene.supersampling;
+    constexpr double most_at_once = 1e8, tile_side = 4096;
+    const double side = tile_side / scene.supersampling;
+    const double at_a_time = samples > most_at_once ? side * side : pixels;
+    constexpr double fewest_samples = 4;
+    const double per_pixel =
+        8 + 8 * std::max<double>(fewest_samples, scene.supersampling * scene.supersampling);
+    constexpr const char* size_keys = "scene.size, scene.supersampling";
+    add(Resource::memory, stage,
+        fmt::format("a frame: {} × {} pixels, {} × {} samples each", scene.size[0], scene.size[1],
+                    scene.supersampling, scene.supersampling),
+        size_keys, at_a_time * per_pixel + 4 * pixels * std::min(frames, 3.0));
+    const double file = picture_file_bytes(pixels);
+    const std::string what =
+        fmt::format("frames: {:.0f} × {} × {} pixels", frames, scene.size[0], scene.size[1]);
+    constexpr const char* keys = "scene.size, scene.frame_rate, time.end";
+    add(Resource::memory, stage, what, keys, 2 * frames * file);
+    add(Resource::disk, stage, what, keys, 2 * frames * file);
+    constexpr double nanoseconds_a_sample = 40, nanoseconds_a_pixel = 150;
+    add(Resource::time, stage, what, keys,
+        1e-9 * frames * (samples * nanoseconds_a_sample + pixels * nanoseconds_a_pixel));
+
+    constexpr double page_width = 512, page_rate = 12.5;
+    const double shrunk = std::min(1.0, page_width / scene.size[0]);
+    const double page_frames = std::floor(spec_.time.end * std::min(scene.frame_rate, page_rate)) + 1;
+    const double animation = page_frames * picture_file_bytes(pixels * shrunk * shrunk);
+    const double text = report_bytes + report_bytes_an_output * sizes_.outputs;
+    add(Resource::memory, "report",
+        fmt::format("the page: {:.0f} frames, {:.0f} outputs", page_frames, sizes_.outputs),
+        "scene.frame_rate, time.output_interval, time.end", 5 * animation + held_a_report_byte * text);
+    add(Resource::disk, "report",
+        fmt::format("the report: {:.0f} frames, {:.0f} outputs", page_frames, sizes_.outputs),
+        "scene.frame_rate, time.output_interval, time.end", 2.4 * animation + text);
+  }
+
+  /// Of a PNG file of a scene, whose detail grows slower than its area.
+  static double picture_file_bytes(double pixels) { return 12.5 * std::pow(pixels, 0.7); }
+
+  const Case& spec_;
+  const PlannedWork& work_;
+  Sizes sizes_;
+  Estimate result_;
+};
+
+}  // namespace
+
+std::string_view word(Resource resource) {
+  switch (resource) {
+    case Resource::memory:
+      return "memory";
+    case Resource::disk:
+      return "disk";
+    case Resource::time:
+      return "time";
+  }
+  return "memory";
+}
+
+double bytes_a_node(std::string_view method) {
+  return cost_of(method).bytes;
+}
+
+double seconds_an_element(std::string_view method) {
+  return 1e-9 * cost_of(method).nanoseconds;
+}
+
+std::vector<EstimatedPart> Estimate::parts_of(Resource resource) const {
+  std::vector<EstimatedPart> chosen;
+  std::string fullest;
+  if (resource == Resource::memory) {
+    std::map<std::string, double> stages;
+    for (const EstimatedPart& part : parts)
+      if (part.resource == resource) stages[part.stage] += part.stage.empty() ? 0 : part.amount;
+    double most = -1;
+    for (const auto& [stage, amount] : stages) {
+      // A sum that is not a number is more than any.
+      if (amount <= most) continue;
+      most = amount;
+      fullest = stage;
+    }
+  }
+  for (const EstimatedPart& part : parts)
+    if (part.resource == resource &&
+        (resource != Resource::memory || part.stage.empty() || part.stage == fullest))
+      chosen.push_back(part);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const EstimatedPart& a, const EstimatedPart& b) { return a.amount > b.amount; });
+  return chosen;
+}
+
+double Estimate::total(Resource resource) const {
+  double sum = 0;
+  for (const EstimatedPart& part : parts_of(resource)) sum += part.amount;
+  return sum;
+}
+
+Estimate estimate(const Case& spec, const PlannedWork& work) {
+  return Estimating(spec, work).result();
+}
+
+std::string amount_in_words(Resource resource, double amount) {
+  struct Step {
+    double size;
+    const char* unit;
+  };
+  static constexpr std::array bytes{Step{1e15, "PB"}, Step{1e12, "TB"}, Step{1e9, "GB"}, Step{1e6, "MB"},
+                                    Step{1e3, "kB"}};
+  static constexpr std::array seconds{Step{365.25 * 86400, "years"}, Step{86400, "days"}, Step{3600, "h"},
+                                      Step{60, "min"}};
+  const bool is_time = resource == Resource::time;
+  const std::span<const Step> steps = is_time ? std::span<const Step>(seconds) : std::span<const Step>(bytes);
+  for (const Step& step : steps)
+    if (amount >= step.size) return fmt::format("{:.3g} {}", amount / step.size, step.unit);
+  return fmt::format("{:.3g} {}", amount, is_time ? "s" : "bytes");
+}
+
+}  // namespace plumb

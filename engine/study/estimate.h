@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/input/case.h"
+
+namespace plumb {
+
+/// What a command takes of the machine.
+enum class Resource {
+  memory,  ///< bytes
+  disk,    ///< bytes
+  time,    ///< s on one processor
+};
+
+/// "memory", "disk", "time".
+std::string_view word(Resource);
+
+/// One part of what a command will take.
+struct EstimatedPart {
+  Resource resource;
+  /// The stage of the work; the memory of one is free again in the next. Empty: held all the time.
+  std::string stage;
+  std::string what;  ///< with its factors: "states: 2001 outputs × 9 nodes"
+  std::string keys;  ///< of the case, that it depends on: "cable.elements, time.output_interval"
+  double amount;     ///< ≥ 0
+};
+
+/// What a command is expected to take: memory and disk within a factor of two, time within a factor of ten
+/// where steps are given, and at least that where a method chooses them.
+struct Estimate {
+  std::vector<EstimatedPart> parts;
+  double drawing_address_space =
+      0;  ///< beyond the memory, of libraries that are mapped and hardly used, bytes
+
+  /// All of a resource, bytes or s: of memory that of the stage that takes most.
+  double total(Resource) const;
+  /// The parts that make up that total, the greatest first.
+  std::vector<EstimatedPart> parts_of(Resource) const;
+};
+
+/// What is to be done with a case.
+struct PlannedWork {
+  bool solves = false;
+  bool writes_run = false;    ///< run.h5 and probes.csv
+  bool writes_table = false;  ///< probes.csv alone
+  bool assesses = false;      ///< [uncertainty] and [error_budget]
+  bool quick_study = false;   ///< the work-precision study of a report
+  bool draws = false;         ///< figures and frames, and the report
+  std::string study = {};     ///< the kind of study: "work-precision"; empty: none
+  double frames = -1;         ///< that are asked for; -1: all
+};
+
+/// Products are made in floating point, so that none is too large to be seen as large.
+Estimate estimate(const Case& spec, const PlannedWork& work);
+
+/// Bytes that a step of the method holds beside the state, a node.
+double bytes_a_node(std::string_view method);
+/// What a step of the method takes, s an element.
+double seconds_an_element(std::string_view method);
+
+/// "3.2 GB", "1.5 h".
+std::string amount_in_words(Resource, double amount);
+
+}  // namespace plumb

@@ -1,0 +1,74 @@
+#include "report/program/output_use.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/errors.h"
+#include "render/gl_context.h"
+#include "render/text.h"
+
+namespace plumb {
+
+namespace fs = std::filesystem;
+
+std::string file_in(const std::string& path, const char* name) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored) ? (fs::path(path) / name).string() : path;
+}
+
+std::vector<std::string> files_read(const LoadedCase& loaded, const Options& options) {
+  std::vector<std::string> files{options.input};
+  const fs::path folder = fs::path(options.input).parent_path();
+  for (const ReferenceUse& use : loaded.spec.references) files.push_back((folder / use.file).string());
+  for (const GivenRunSpec& given : loaded.spec.given_runs) files.push_back((folder / given.file).string());
+  if (!options.baseline.empty()) files.push_back(file_in(options.baseline, "results.json"));
+  return files;
+}
+
+std::vector<std::string> source_files(const std::string& path) {
+  std::error_code ignored;
+  const fs::path folder = fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
+  std::vector<std::string> files{file_in(path, "run.h5")};
+  for (const char* name : {"study.h5", "study.json", "assessment.json", "choice.json"})
+    files.push_back((folder / name).string());
+  return files;
+}
+
+FolderUse folder_for(const LoadedCase& loaded, const Options& options, Talk& talk) {
+  return {.reads = files_read(loaded, options),
+          .remark = [&talk](const std::string& text) { talk.remark(text); }};
+}
+
+FolderUse folder_from(const std::string& run_path, Talk& talk) {
+  return {.sources = source_files(run_path),
+          .remark = [&talk](const std::string& text) { talk.remark(text); }};
+}
+
+void refuse_to_overwrite(const std::string& option, const std::string& file,
+                         const std::vector<std::string>& reads, const std::string& folder) {
+  struct stat own {
+  }, read{};
+  if (::stat(file.c_str(), &own) == 0 && S_ISREG(own.st_mode))
+    for (const std::string& path : reads)
+      if (::stat(path.c_str(), &read) == 0 && read.st_dev == own.st_dev && read.st_ino == own.st_ino)
+        throw UsageError(
+            fmt::format("{} {}: is what is read from {}; name another file", option, file, path));
+  if (folder.empty()) return;
+  std::error_code ignored;
+  const fs::path place = fs::weakly_canonical(fs::absolute(file), ignored);
+  const fs::path name = place.lexically_relative(folder);
+  if (!name.empty() && *name.begin() != ".." && belongs_to(FolderContent::results, name.generic_string()))
+    throw UsageError(
+        fmt::format("{} {}: has the name of a file of the output folder; name another file", option, file));
+}
+
+std::string try_drawing() {
+  const GlContext context;
+  const Font fonts;
+  return context.info().fingerprint();
+}
+
+}  // namespace plumb
