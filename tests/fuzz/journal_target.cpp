@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+#include <zlib.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include "engine/study/study_journal.h"
 #include "tests/fuzz/target.h"
@@ -21,22 +25,36 @@ StudyRun made_run() {
   return run;
 }
 
-/// What a journal says that has the input behind its heading.
-bool feed(std::string_view input) {
+std::string journal_heading() {
+  const MemoryFile file("heading");
+  StudyJournal(file.hold(""), identity);
+  return file.text();
+}
+
+/// Each line with the check sum that a journal asks of it.
+std::string mended(std::string_view lines) {
+  std::string result;
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    const std::string line(lines.substr(0, end)), summed = std::string(identity) + '\n' + line;
+    const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(summed.data()), summed.size());
+    result += fmt::format("{:08x} {}\n", sum, line);
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+  return result;
+}
+
+/// What a journal says that has these lines behind its heading.
+bool feed_lines(const std::string& lines) {
   static const MemoryFile file("journal");
-  static const std::string heading = [] {
-    const MemoryFile fresh("heading");
-    fresh.hold("");
-    StudyJournal(fresh.hold(""), identity);
-    return fresh.text();
-  }();
-  const std::string path = file.hold(heading + std::string(input));
+  static const std::string heading = journal_heading();
+  const std::string path = file.hold(heading + lines);
   const StudyRun run = made_run();
   std::size_t found = 0;
   {
     StudyJournal journal(path, identity);
     found = journal.found();
-    promise(found <= static_cast<std::size_t>(std::count(input.begin(), input.end(), '\n')),
+    promise(found <= static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')),
             "a journal finds more than it has lines");
     promise_finite(journal.find_seconds(run), "a time of a journal");
     journal.add_run(run);
@@ -50,6 +68,12 @@ bool feed(std::string_view input) {
               kept->total_error.energy == run.total_error.energy && again.find_seconds(run) == run.seconds,
           "a run of a journal is another");
   return found > 0;
+}
+
+/// The lines of a journal without their check sums.
+bool feed(std::string_view input) {
+  feed_lines(std::string(input));
+  return feed_lines(mended(input));
 }
 
 std::vector<std::string> seeds() {
@@ -67,8 +91,11 @@ std::vector<std::string> seeds() {
     reference.certificate.agreement = 1e-12;
     journal.add_reference(reference);
   }
-  const std::string text = file.text();
-  return {text.substr(text.find('\n') + 1)};
+  std::string seed;
+  std::istringstream lines(file.text());
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line);) seed += line.substr(line.find(' ') + 1) + '\n';
+  return {seed};
 }
 
 }  // namespace

@@ -50,10 +50,10 @@ std::string MemoryFile::text() const {
 }
 
 std::span<const Target> targets() {
-  static const std::array all{case_target,       reference_target,  override_target,    expression_target,
-                              unit_target,       csv_target,        hdf5_target,        results_target,
-                              study_json_target, assessment_target, choice_target,      journal_target,
-                              png_target,        difference_target, command_line_target};
+  static const std::array all{case_target,       reference_target,  override_target,   expression_target,
+                              unit_target,       csv_target,        hdf5_target,       results_target,
+                              study_json_target, assessment_target, choice_target,     journal_target,
+                              manifest_target,   png_target,        difference_target, command_line_target};
   return all;
 }
 

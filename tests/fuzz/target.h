@@ -68,6 +68,6 @@ std::span<const Target> targets();
 
 extern const Target case_target, reference_target, override_target, expression_target, csv_target,
     hdf5_target, results_target, study_json_target, assessment_target, choice_target, journal_target,
-    png_target, difference_target, command_line_target, unit_target;
+    manifest_target, png_target, difference_target, command_line_target, unit_target;
 
 }  // namespace plumb::fuzz
