@@ -5,6 +5,7 @@
 #   ./make.sh build    builds only
 #   ./make.sh bench    measures the kernels, one step of each method, and frames
 #   ./make.sh gallery  draws every kind of frame and figure onto one page, output/gallery/index.html
+#   ./make.sh fuzz S   runs every fuzz target for S seconds in all and ends with a table (clang; tests/fuzz)
 #   ./make.sh builds   builds with gcc and clang, optimised and not, and compares what they draw (many minutes)
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -80,12 +81,17 @@ case ${1:-} in
     build plumb
     tests/gallery.sh "build/$preset/plumb" output/gallery
     ;;
+  fuzz)
+    build plumb
+    preset=fuzz build
+    tests/fuzz/run.py build/fuzz/tests/fuzz/plumb_fuzz "${2:-150}" "${@:3}"
+    ;;
   builds)
     install_missing_packages
     tests/builds.sh
     ;;
   *)
-    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build, bench, gallery and builds" >&2; fi
+    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build, bench, gallery, fuzz and builds" >&2; fi
     sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p }' "$0" >&2
     exit 2
     ;;

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -256,7 +257,9 @@ void heed_environment(const Verb& verb, Talk& talk) {
   }
 }
 
-int parse_and_act(int count, const char* const* arguments) {
+}  // namespace
+
+Command parse_command(int count, const char* const* arguments) {
   refuse_unknown_verb(count, arguments);
   CLI::App app{
       "Plumb integrates a flexible cable pendulum, draws it without a display, and reports how far it can be "
@@ -266,25 +269,40 @@ int parse_and_act(int count, const char* const* arguments) {
   if (count < 2) throw UsageError("a verb is missing (see plumb --help)");
   app.require_subcommand(1);
   app.set_version_flag("--version", "Plumb " PLUMB_VERSION);
-  Options options;
+  Command command;
+  Options& options = command.options;
   for (const Verb& verb : verbs()) add_verb(verb, app, options);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    // Help and version are "errors" with status 0.
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {  // help and version are "errors" too
+      std::ostringstream said;
+      app.exit(error, said, said);
+      command.said = said.str();
+      return command;
+    }
     throw UsageError(as_typed(error.what(), count, arguments) + " (see plumb --help)");
   }
   if (!options.inputs.empty()) options.input = options.inputs.front();
-  Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
   const std::string chosen = app.get_subcommands().front()->get_name();
-  for (const Verb& verb : verbs()) {
-    if (verb.name != chosen) continue;
-    check_together(verb, options);
-    heed_environment(verb, talk);
-    return static_cast<int>(verb.act(options, talk));
+  command.verb =
+      &*std::find_if(verbs().begin(), verbs().end(), [&](const Verb& verb) { return verb.name == chosen; });
+  check_together(*command.verb, options);
+  return command;
+}
+
+namespace {
+
+int parse_and_act(int count, const char* const* arguments) {
+  const Command command = parse_command(count, arguments);
+  if (command.verb == nullptr) {
+    std::fputs(command.said.c_str(), stdout);
+    return static_cast<int>(ExitStatus::done);
   }
-  throw std::logic_error("verb " + chosen + " is parsed but unknown");
+  const Options& options = command.options;
+  Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
+  heed_environment(*command.verb, talk);
+  return static_cast<int>(command.verb->act(options, talk));
 }
 
 }  // namespace

@@ -39,6 +39,16 @@ ExitStatus check_verb(const Options& options, Talk& talk);
 ExitStatus diff_verb(const Options& options, Talk& talk);
 ExitStatus doctor_verb(const Options& options, Talk& talk);
 
+/// What a command line asks for.
+struct Command {
+  const Verb* verb = nullptr;  ///< nullptr: to be told what stands in `said`
+  Options options;
+  std::string said = {};  ///< help or version
+};
+
+/// Reads a command line, the program's name first. Throws UsageError.
+Command parse_command(int count, const char* const* arguments);
+
 /// Reads the arguments, acts, and turns every error into one line on standard error and its exit status.
 int program(int count, const char* const* arguments);
 

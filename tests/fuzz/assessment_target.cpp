@@ -1,0 +1,34 @@
+#include "report/document.h"
+#include "tests/fuzz/target.h"
+#include "tests/report/made_assessment.h"
+#include "tests/report/made_run.h"
+
+namespace plumb::fuzz {
+namespace {
+
+const Run& made_run() {
+  static const Run run = run_with("made");
+  return run;
+}
+
+bool feed(std::string_view input) {
+  return reads<InputError>([&] {
+    const Assessment read = decode_assessment(std::string(input), "assessment.json", made_run());
+    const std::string written = encode_assessment(read);
+    promise(encode_assessment(decode_assessment(written, "assessment.json", made_run())) == written,
+            "an assessment that is written and read again is another");
+    document_of(evaluate(made_run(), {}, nullptr, &read), {});
+  });
+}
+
+std::vector<std::string> seeds() {
+  return {encode_assessment({made_uncertainty(), made_budget()}),
+          encode_assessment({made_uncertainty(PartState::no_part), {}}),
+          encode_assessment({{}, made_budget()})};
+}
+
+}  // namespace
+
+const Target assessment_target{"assessment", feed, seeds};
+
+}  // namespace plumb::fuzz
