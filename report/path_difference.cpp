@@ -7,9 +7,9 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
-#include "engine/message.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/message.h"
 #include "engine/output/manifest.h"
 #include "report/file_difference.h"
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "engine/errors.h"
-#include "engine/message.h"
 #include "engine/interrupt.h"
+#include "engine/message.h"
 
 namespace plumb {
 namespace {

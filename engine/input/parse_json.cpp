@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
-#include "engine/message.h"
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
+#include "engine/message.h"
 
 namespace plumb {
 namespace {

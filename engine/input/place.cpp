@@ -1,9 +1,9 @@
-#include "engine/message.h"
 #include "engine/input/place.h"
 
 #include <fmt/format.h>
 
 #include "engine/errors.h"
+#include "engine/message.h"
 
 namespace plumb {
 

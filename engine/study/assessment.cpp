@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/input/place.h"
 #include "engine/output/known_time.h"
-#include "engine/input/parse_json.h"
 #include "engine/study/budget_json.h"
 #include "engine/study/json_numbers.h"
 #include "engine/study/uncertainty_json.h"
