@@ -34,7 +34,7 @@ TEST_P(KeptInputs, BeginWithThoseThatAreAccepted) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, KeptInputs, testing::ValuesIn(targets().begin(), targets().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 TEST(Promises, AreBrokenByWhatTheyForbid) {
   EXPECT_THROW(promise(false, "never"), BrokenPromise);
