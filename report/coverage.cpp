@@ -16,8 +16,9 @@ constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
 std::string obstacle(const ComparedRun& run, std::size_t row, double t, const Demand& demand) {
   if (run.outputs.empty()) return run.name + " has no outputs";
   if (row == nowhere)
-    return fmt::format("{} has t = {:.4g} s not: it is from {:.4g} to {:.4g} s, and nothing is extrapolated",
-                       run.name, t, run.outputs.front(), run.outputs.back());
+    return fmt::format(
+        "{} does not have t = {:.4g} s: it is from {:.4g} to {:.4g} s, and nothing is extrapolated", run.name,
+        t, run.outputs.front(), run.outputs.back());
   const Column* errors = run.sampled.errors.find(demand.column);
   if (errors == nullptr) return fmt::format("{} has no column {}", run.name, demand.column);
   const double error = errors->values[row];

@@ -30,7 +30,7 @@ constexpr std::size_t bytes_a_read = 1 << 20;
 constexpr int waiting_factor = 5;
 
 /// False where nobody listens any more.
-bool write_all(int file, const void* bytes, std::size_t count) {
+bool send_all(int file, const void* bytes, std::size_t count) {
   const char* at = static_cast<const char*>(bytes);
   while (count > 0) {
     const ssize_t written = ::send(file, at, count, MSG_NOSIGNAL);
@@ -198,8 +198,8 @@ void ConfinedProcess::serve(const Answer& answer, int socket) const {
       text = reason(error);
     }
     length = text.size();
-    if (!write_all(socket, &good, 1) || !write_all(socket, &length, sizeof length) ||
-        !write_all(socket, text.data(), text.size()))
+    if (!send_all(socket, &good, 1) || !send_all(socket, &length, sizeof length) ||
+        !send_all(socket, text.data(), text.size()))
       ::_exit(1);
   }
 }
@@ -207,7 +207,7 @@ void ConfinedProcess::serve(const Answer& answer, int socket) const {
 std::string ConfinedProcess::ask(const std::string& question) {
   if (pid_ <= 0) throw std::runtime_error("it is damaged or hostile");
   const std::uint64_t asked = question.size();
-  if (!write_all(socket_, &asked, sizeof asked) || !write_all(socket_, question.data(), question.size()))
+  if (!send_all(socket_, &asked, sizeof asked) || !send_all(socket_, question.data(), question.size()))
     give_up("");
   const std::int64_t until = milliseconds() + 1000LL * waiting_factor * limits_.seconds;
   unsigned char good = 0;

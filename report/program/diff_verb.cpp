@@ -18,15 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The paths lead to one file or folder, or to one that lies in the other.
-bool overlap(const fs::path& a, const fs::path& b) {
-  std::error_code ignored;
-  if (fs::equivalent(a, b, ignored)) return true;
-  const fs::path one = fs::weakly_canonical(fs::absolute(a)), other = fs::weakly_canonical(fs::absolute(b));
-  const auto [end, end_of_other] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
-  return end == one.end() || end_of_other == other.end();
-}
-
 /// Puts B in the place of A; B stays.
 void accept(const fs::path& a, const fs::path& b, Talk& talk) {
   if (!fs::is_directory(b)) {
@@ -101,9 +92,6 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
     throw UsageError("--accept would put one in the place of the other: " + overlapping);
   check_page(options);
   std::error_code ignored;
-  if (options.accept && overlap(options.input, options.other))
-    throw UsageError(
-        fmt::format("--accept: {} and {} are one, or one lies in the other", options.input, options.other));
   if (!options.html.empty())
     refuse_to_overwrite("--html", options.html, files_of_both(options.input, options.other));
   const bool first_there = fs::exists(options.input, ignored) || !options.accept;
