@@ -9,7 +9,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace advice_test {
 
 /// The number that follows the words, or -1.
 double number_after(const std::string& text, const std::string& words) {
@@ -142,5 +142,5 @@ TEST(StepCuts, AreToldWithTheShortest) {
   EXPECT_EQ(fixed.shortest_cut, -1);
 }
 
-}  // namespace
+}  // namespace advice_test
 }  // namespace plumb

@@ -13,7 +13,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace amplification_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -215,5 +215,5 @@ TEST(StabilityLimit, IsNotClaimedForMethodsThatChooseTheirSteps) {
   EXPECT_FALSE(amplification(method("trapezoidal", {}, 1e-6), 1));
 }
 
-}  // namespace
+}  // namespace amplification_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace arkode_order_test {
 
 // At f = 20 the axial motion is slow enough for the pairs of high order to show their order above round-off.
 constexpr double softness = 20;
@@ -95,5 +95,5 @@ TEST(ArkodeDirk, OfOrderFourDoesNotStallAtTightTolerances) {
   EXPECT_LT(seen.counters.steps, 2000);
 }
 
-}  // namespace
+}  // namespace arkode_order_test
 }  // namespace plumb

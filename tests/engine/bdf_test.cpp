@@ -5,7 +5,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace bdf_test {
 
 MethodSpec bdf(int order, double h) {
   MethodSpec with = method("bdf", h);
@@ -133,5 +133,5 @@ TEST(Bdf, OrdersOneAndTwoLetNoVibrationGrow) {
   EXPECT_NEAR(growth(1, 0.5), 1 / std::sqrt(1.25), 1e-6);
 }
 
-}  // namespace
+}  // namespace bdf_test
 }  // namespace plumb

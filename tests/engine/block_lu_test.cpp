@@ -9,7 +9,7 @@
 #include "tests/engine/dense_matrix.h"
 
 namespace plumb {
-namespace {
+namespace block_lu_test {
 
 GeneralBlockTridiagonal<double> random_matrix(int nodes, unsigned seed) {
   std::mt19937 generator(seed);
@@ -77,5 +77,5 @@ TEST(BlockLu, NamesTheNodeOfANumberThatIsNotFinite) {
   EXPECT_EQ(lu.factor(A), 2);
 }
 
-}  // namespace
+}  // namespace block_lu_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace plumb {
-namespace {
+namespace block_tridiagonal_test {
 
 BlockTridiagonal random_matrix(int nodes, unsigned seed) {
   std::mt19937 generator(seed);
@@ -26,5 +26,5 @@ TEST(BlockTridiagonal, MultipliesAsTheFullMatrixDoes) {
   EXPECT_LE((y - A.dense() * x).norm(), 1e-13);
 }
 
-}  // namespace
+}  // namespace block_tridiagonal_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace budget_keys_test {
 
 CaseSource with_lines(const std::string& lines) {
   CaseSource source = small_case();
@@ -110,5 +110,5 @@ TEST(BudgetKeys, BadValuesAreRefusedWithPlaceAndWhatIsAllowed) {
             "accepted");
 }
 
-}  // namespace
+}  // namespace budget_keys_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "engine/study/run_budget.h"
 
 namespace plumb {
-namespace {
+namespace budget_run_test {
 
 /// The budget of the pendulum without its mesh of 64, which takes longer than all else.
 LoadedCase quick_pendulum() {
@@ -81,5 +81,5 @@ TEST(ErrorBudget, OfAnotherCableIsNotMade) {
   EXPECT_TRUE(budget.entries.empty());
 }
 
-}  // namespace
+}  // namespace budget_run_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace cable_field_test {
 
 /// A cable of 1 m in four elements on an arc of a radius, stretched evenly.
 Eigen::VectorXd arc(double radius, double stretch) {
@@ -52,5 +52,5 @@ TEST(CableField, EachButNoneHasATitleAndAUnit) {
   EXPECT_EQ(unit(ColorField::speed), "m/s");
 }
 
-}  // namespace
+}  // namespace cable_field_test
 }  // namespace plumb

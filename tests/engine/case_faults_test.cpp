@@ -6,7 +6,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace case_faults_test {
 
 /// One replacement in the small case, and the whole error that it must give.
 struct Fault {
@@ -594,5 +594,5 @@ TEST(CaseFaults, ABadLookOfASceneIsRefusedWithItsPlaceAndWhatIsAllowed) {
   });
 }
 
-}  // namespace
+}  // namespace case_faults_test
 }  // namespace plumb

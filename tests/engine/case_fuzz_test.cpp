@@ -10,7 +10,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace case_fuzz_test {
 
 /// Bytes that mean something in TOML or in an expression, so that a change is likely to reach past the
 /// parser.
@@ -161,5 +161,5 @@ TEST(CaseFuzz, ALongChainOfParametersIsFollowedOrRefused) {
   EXPECT_EQ(refusal(source), "case.toml:2:1: parameters: at most 1000 parameters are allowed");
 }
 
-}  // namespace
+}  // namespace case_fuzz_test
 }  // namespace plumb

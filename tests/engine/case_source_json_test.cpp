@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 namespace plumb {
-namespace {
+namespace case_source_json_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -34,5 +34,5 @@ TEST(CaseSourceJson, ReadsEarlierFilesAndRefusesWhatIsNoByte) {
   EXPECT_THROW(case_source_from_json(wrong), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace case_source_json_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <set>
 
 namespace plumb {
-namespace {
+namespace case_words_test {
 
 TEST(CaseWords, AreThoseOfTheCaseFiles) {
   EXPECT_EQ(word(CableModel::chain), "chain");
@@ -56,5 +56,5 @@ TEST(ProbeColumns, EachHaveTheUnitOfTheirQuantity) {
   EXPECT_EQ(unit(Quantity::bending_moment), "N m");
 }
 
-}  // namespace
+}  // namespace case_words_test
 }  // namespace plumb

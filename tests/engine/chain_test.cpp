@@ -10,7 +10,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace chain_test {
 
 Case chain(StrainModel strain, int links) {
   Case spec = pendulum(5, links);
@@ -213,5 +213,5 @@ TEST(Chain, EnergyMomentumKeepsItsEnergy) {
   }
 }
 
-}  // namespace
+}  // namespace chain_test
 }  // namespace plumb

@@ -14,7 +14,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace choose_rung_test {
 
 /// Seen along Z by parallel rays, so many pixels to a metre; the tip alone.
 MakeGauge tips_along_z(double pixels_per_metre, double frame_rate) {
@@ -177,5 +177,5 @@ TEST(RandomScenes, DependOnTheSeedAndTheirNumberAlone) {
   EXPECT_NE(scene_overrides(spec, 1, 7), scene_overrides(spec, 2, 7));
 }
 
-}  // namespace
+}  // namespace choose_rung_test
 }  // namespace plumb

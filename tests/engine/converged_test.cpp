@@ -3,7 +3,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace converged_test {
 
 /// Converged figures of the pendulum (64 elements, RK4, by an independent program; 32 elements differ by up
 /// to 4e-5 m).
@@ -34,5 +34,5 @@ TEST(Converged, FourElementsAreTwoCentimetresOff) {
   EXPECT_NEAR(tip_distance(coarse, fine), 2.1e-2, 0.15e-2);
 }
 
-}  // namespace
+}  // namespace converged_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace coverage_keys_test {
 
 const std::string good = "t,tip.y\n0,0\n0.5,-0.25\n1,-1\n";
 
@@ -99,5 +99,5 @@ TEST(CoverageKeys, TimesBeyondTheEndOfTheRunAreRemarkedOnUnlessTheyAreNotClaimed
   EXPECT_EQ(remarks("coverage = { to = 0.5 }").find("beyond"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace coverage_keys_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace critical_step_test {
 
 std::string table_row(const CriticalStep& step, double f) {
   return fmt::format(
@@ -101,5 +101,5 @@ TEST(CriticalStep, IsLeftOpenWhereTheTimeIsOver) {
   EXPECT_EQ(step.unstable, -1);
 }
 
-}  // namespace
+}  // namespace critical_step_test
 }  // namespace plumb

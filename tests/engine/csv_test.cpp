@@ -6,7 +6,7 @@
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
+namespace csv_test {
 
 using Texts = std::vector<std::vector<std::string>>;
 
@@ -56,5 +56,5 @@ RC_GTEST_PROP(CsvProperty, WhatIsWrittenIsRead, ()) {
   RC_ASSERT(texts(line + "\n") == Texts{cells});
 }
 
-}  // namespace
+}  // namespace csv_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/given_case.h"
 
 namespace plumb {
-namespace {
+namespace curve_through_probes_test {
 
 /// A case of a cable of 2 m with positions (and slopes) at some places, moving as the curve r(s, t) =
 /// (s, a s² t, 0) with s in m.
@@ -104,5 +104,5 @@ TEST(CurveThroughProbes, PlacesTooFarToBeSeenAreNotDrawn) {
   EXPECT_NE(curve.in_words.find("more than 1000 lengths"), std::string::npos) << curve.in_words;
 }
 
-}  // namespace
+}  // namespace curve_through_probes_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace discrete_gradient_test {
 
 class DiscreteGradientOf : public testing::TestWithParam<std::tuple<StrainModel, QuadratureRule>> {
  protected:
@@ -112,5 +112,5 @@ INSTANTIATE_TEST_SUITE_P(Models, DiscreteGradientOf,
                                   (std::get<1>(tested.param) == QuadratureRule::full ? "Full" : "Reduced");
                          });
 
-}  // namespace
+}  // namespace discrete_gradient_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace dynamics_test {
 
 struct DenseCorrection {
   Eigen::VectorXd change;
@@ -99,5 +99,5 @@ INSTANTIATE_TEST_SUITE_P(Models, Corrections, testing::Values(CableModel::cable,
                            return std::string(tested.param == CableModel::cable ? "Cable" : "Chain");
                          });
 
-}  // namespace
+}  // namespace dynamics_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace economy_keys_test {
 
 CaseSource with_economy(const std::string& lines) {
   CaseSource source = small_case();
@@ -73,5 +73,5 @@ TEST(EconomyKeys, BadValuesAreRefusedWithWhatIsAllowed) {
   }
 }
 
-}  // namespace
+}  // namespace economy_keys_test
 }  // namespace plumb

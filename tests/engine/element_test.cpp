@@ -8,7 +8,7 @@
 #include "tests/engine/plain_element.h"
 
 namespace plumb {
-namespace {
+namespace element_test {
 
 using Coordinates = Eigen::Matrix<double, 12, 1>;
 using Complex = std::complex<double>;
@@ -236,5 +236,5 @@ TEST(Element, ReducedQuadratureHasNoMotionWithoutEnergyButTheRigidOnes) {
   }
 }
 
-}  // namespace
+}  // namespace element_test
 }  // namespace plumb

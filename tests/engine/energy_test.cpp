@@ -4,7 +4,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace energy_test {
 
 TEST(Energy, RigidStartHasTheKineticEnergyOfARotatingRod) {
   Case spec = pendulum(5, 4);
@@ -118,5 +118,5 @@ TEST(Energy, PotentialEnergyFallsByWeightTimesHeight) {
   EXPECT_NEAR(cable.energies(q, q).potential - before, -cable.weight() * 0.3, 1e-15);
 }
 
-}  // namespace
+}  // namespace energy_test
 }  // namespace plumb

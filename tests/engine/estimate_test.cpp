@@ -9,7 +9,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace estimate_test {
 
 Case changed(const std::vector<std::string>& overrides) {
   CaseSource source = small_case();
@@ -68,5 +68,5 @@ TEST(Estimate, IsSaidInUnitsThatCanBeRead) {
   EXPECT_EQ(amount_in_words(Resource::time, 0.25), "0.25 s");
 }
 
-}  // namespace
+}  // namespace estimate_test
 }  // namespace plumb

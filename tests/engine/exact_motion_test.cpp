@@ -6,7 +6,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace exact_motion_test {
 
 /// A method in one of the ways it can be used: with a step or with tolerances.
 struct Use {
@@ -217,5 +217,5 @@ TEST(ExactMotion, StiffPendulumSwingsAsTheRigidRodDoes) {
   EXPECT_NEAR(at, 0.449811077626, 2e-3);
 }
 
-}  // namespace
+}  // namespace exact_motion_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include <numbers>
 
 namespace plumb {
-namespace {
+namespace expression_test {
 
 double moderate(int numerator) {
   return numerator / 64.0;
@@ -75,5 +75,5 @@ TEST(Expression, KeepsFunctionsAndConstantsForItself) {
   EXPECT_FALSE(is_built_in("f"));
 }
 
-}  // namespace
+}  // namespace expression_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "engine/study/run_variants.h"
 
 namespace plumb {
-namespace {
+namespace failure_cases_test {
 
 namespace fs = std::filesystem;
 
@@ -40,5 +40,5 @@ TEST_P(FailureCase, EveryVariantEndsAsExpectedWithItsFigures) {
 INSTANTIATE_TEST_SUITE_P(All, FailureCase, testing::ValuesIn(failure_cases()),
                          [](const testing::TestParamInfo<std::string>& one) { return one.param; });
 
-}  // namespace
+}  // namespace failure_cases_test
 }  // namespace plumb

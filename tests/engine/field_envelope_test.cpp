@@ -10,7 +10,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace field_envelope_test {
 
 /// A straight cable of 1 m stretched evenly by a factor at each time.
 Trajectory stretched(int elements, const std::vector<double>& times, const std::vector<double>& factors) {
@@ -98,5 +98,5 @@ TEST(FieldEnvelope, LeavesOutWhatIsNotFinite) {
   EXPECT_TRUE(std::isnan(none.mean.front()));
 }
 
-}  // namespace
+}  // namespace field_envelope_test
 }  // namespace plumb

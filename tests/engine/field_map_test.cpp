@@ -9,7 +9,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace field_map_test {
 
 /// A cable of 1 m that turns at 4 rad/s, whose speed is 4 s at the fraction s; later outputs are faster.
 Trajectory turning(int elements, int outputs) {
@@ -63,5 +63,5 @@ TEST(FieldMap, LeavesOutWhatIsNotFiniteAndHasNoCellsForOneOutput) {
   EXPECT_TRUE(field_map(cable, ColorField::speed, turning(4, 0), 10, 4).values.empty());
 }
 
-}  // namespace
+}  // namespace field_map_test
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include <string>
 
 namespace plumb {
-namespace {
+namespace file_text_test {
 
 namespace fs = std::filesystem;
 
@@ -67,5 +67,5 @@ TEST_F(FileTextTest, IsRefusedBeyondTheLengthOfItsKindWithoutReadingIt) {
   }
 }
 
-}  // namespace
+}  // namespace file_text_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace given_run_faults_test {
 
 /// A file, keys of its [[run]], and the whole error that it must give.
 struct Fault {
@@ -193,5 +193,5 @@ TEST(GivenRunFaults, Hdf5ThatDoesNotFitIsRefusedWithItsDataSet) {
   });
 }
 
-}  // namespace
+}  // namespace given_run_faults_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/engine/given_case.h"
 
 namespace plumb {
-namespace {
+namespace given_run_test {
 
 using Numbers = std::vector<double>;
 
@@ -130,5 +130,5 @@ TEST(GivenRun, ItsFileIsKeptWithTheCase) {
   EXPECT_EQ(load_case(loaded.source).given_runs[0].times, loaded.given_runs[0].times);
 }
 
-}  // namespace
+}  // namespace given_run_test
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace greatest_eigenfrequency_test {
 
 double speed_of_sound(const Case& spec) {
   return std::sqrt(spec.cable.youngs_modulus / spec.cable.density);
@@ -141,5 +141,5 @@ TEST(FastestVibration, OfAFineCableTakesNoLongerThanItsLength) {
   EXPECT_LT(taken.count(), 5);
 }
 
-}  // namespace
+}  // namespace greatest_eigenfrequency_test
 }  // namespace plumb

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace plumb {
-namespace {
+namespace hermite_test {
 
 TEST(Hermite, TranslatesRigidly) {
   for (double x : {0.0, 0.1, 0.5, 0.77, 1.0}) {
@@ -33,5 +33,5 @@ TEST(Hermite, DerivativesAreThoseOfTheValues) {
   }
 }
 
-}  // namespace
+}  // namespace hermite_test
 }  // namespace plumb

@@ -15,7 +15,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace hostile_files_test {
 
 std::string repeated(const std::string& text, int count) {
   std::string result;
@@ -139,5 +139,5 @@ TEST(HostileFiles, ChangedHdf5IsReadOrRefused) {
   }
 }
 
-}  // namespace
+}  // namespace hostile_files_test
 }  // namespace plumb

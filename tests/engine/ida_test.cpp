@@ -5,7 +5,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace ida_test {
 
 MethodSpec ida(double tolerance, bool stabilised = true) {
   MethodSpec spec = method("ida", {}, tolerance);
@@ -133,5 +133,5 @@ TEST(Ida, HasNoMultipliersWithoutSupportsAndOthersHaveNone) {
   EXPECT_EQ(free.constraint_drift, -1);
 }
 
-}  // namespace
+}  // namespace ida_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace plumb {
-namespace {
+namespace inertia_test {
 
 /// Symmetric, with a diagonal that makes some eigenvalues positive and some negative, and with rows of very
 /// different size, as metres beside slopes are.
@@ -56,5 +56,5 @@ TEST(Inertia, IsNotToldOfASingularMatrixOrOneThatIsNotFinite) {
   }
 }
 
-}  // namespace
+}  // namespace inertia_test
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
+namespace interrupt_test {
 
 namespace fs = std::filesystem;
 
@@ -91,5 +91,5 @@ TEST(InterruptDeathTest, WorkThatLooksStopsByItself) {
       ::testing::ExitedWithCode(7), "");
 }
 
-}  // namespace
+}  // namespace interrupt_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace judge_test {
 
 const TimeSpec short_time{0.2, 0.02};
 
@@ -114,5 +114,5 @@ TEST(Judge, HoldsARunBeyondAShortReferenceToItsEnergy) {
   EXPECT_EQ(judge(trajectory, short_reference, tolerance, whole).outcome, Outcome::inaccurate);
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace plumb

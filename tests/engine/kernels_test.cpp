@@ -12,7 +12,7 @@
 #include "tests/engine/plain_element.h"
 
 namespace plumb {
-namespace {
+namespace kernels_test {
 
 constexpr double EA = 40, EI = 7.96e-5, cable_length = 1, mass_per_length = 8e-3;
 constexpr double end_force[] = {0.1, -0.2, 0.3};  // N
@@ -445,5 +445,5 @@ INSTANTIATE_TEST_SUITE_P(Models, KernelsOf,
                                   (std::get<1>(tested.param) == QuadratureRule::full ? "Full" : "Reduced");
                          });
 
-}  // namespace
+}  // namespace kernels_test
 }  // namespace plumb

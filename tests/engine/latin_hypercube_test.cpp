@@ -7,7 +7,7 @@
 #include <set>
 
 namespace plumb {
-namespace {
+namespace latin_hypercube_test {
 
 TEST(LatinHypercube, HasOnePointInEveryStratumOfEveryDimension) {
   constexpr std::size_t samples = 37, dimensions = 3;
@@ -62,5 +62,5 @@ TEST(NormalQuantile, IsTheInverseOfTheDistributionFunction) {
   }
 }
 
-}  // namespace
+}  // namespace latin_hypercube_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace load_case_test {
 
 const std::string cases = PLUMB_SOURCE_DIR "/cases/";
 
@@ -114,7 +114,8 @@ TEST(LoadCase, EveryKeyOfTheSmallCaseIsTaken) {
                                               {{"mid_y", "mid.y"}, {"force", "pull"}},
                                               Norm::rms,
                                               0.01,
-                                              "because"}));
+                                              "because",
+                                              {}}));
   EXPECT_EQ(spec.figures[0], (FigureSpec{"height", "Height", "t", "mid.y", "time", "height", "book", false}));
   EXPECT_EQ(spec.scene.size, (std::array<int, 2>{640, 480}));
   EXPECT_EQ(spec.scene.frame_rate, 10);
@@ -325,5 +326,5 @@ TEST(LoadCase, ALongCommentIsNoKey) {
   EXPECT_EQ(load_case(source).spec.cable.elements, 1);
 }
 
-}  // namespace
+}  // namespace load_case_test
 }  // namespace plumb

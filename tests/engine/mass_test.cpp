@@ -8,7 +8,7 @@
 #include "engine/model/quadrature.h"
 
 namespace plumb {
-namespace {
+namespace mass_test {
 
 constexpr double mass_of_a_metre = 0.3, l = 0.4;
 const ElementConstants element{.length = l, .mass_per_length = mass_of_a_metre};
@@ -86,5 +86,5 @@ INSTANTIATE_TEST_SUITE_P(AllEnds, MassWith,
                                   std::string(word(ends.param.last));
                          });
 
-}  // namespace
+}  // namespace mass_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace mesh_index_test {
 
 /// A solution on a mesh of elements of length h, off by 0.3 t h^p from sin(3t).
 std::vector<double> made(double h, double p) {
@@ -80,5 +80,5 @@ TEST(TwoRunIndex, IsThreeTimesTheErrorOfAMethodOfThatOrder) {
   }
 }
 
-}  // namespace
+}  // namespace mesh_index_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
+namespace message_test {
 
 TEST(Message, ShowsWhatATerminalWouldNotShowAsEscapes) {
   EXPECT_EQ(one_line("a\nb\tc\r\x1b[31m\x7f"), "a\\nb\\tc\\r\\x1b[31m\\x7f");
@@ -54,5 +54,5 @@ TEST(Message, HasNoWordsOfALibrary) {
   EXPECT_EQ(reason(std::length_error("basic_string::_M_create")), "something in it is too long");
 }
 
-}  // namespace
+}  // namespace message_test
 }  // namespace plumb

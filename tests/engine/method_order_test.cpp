@@ -6,7 +6,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace method_order_test {
 
 const TimeSpec half_second{0.5, 0.02};
 
@@ -119,5 +119,5 @@ TEST(MethodOrder, TheMeshIsOfOrderThreeOrMoreInTipPosition) {
   EXPECT_LE(observed, 4 + 0.15) << coarse_error << " m with 8 elements, " << fine_error << " m with 32";
 }
 
-}  // namespace
+}  // namespace method_order_test
 }  // namespace plumb

@@ -3,7 +3,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace model_keys_test {
 
 CaseSource small_with(const std::string& from, const std::string& to) {
   CaseSource source = small_case();
@@ -92,5 +92,5 @@ TEST(ModelKeys, StaticsRefusesAStartThatMoves) {
       << message;
 }
 
-}  // namespace
+}  // namespace model_keys_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace motion_statistics_test {
 
 TEST(MotionStatistics, AreThoseOfKnownHeightsAndSpeeds) {
   Trajectory run;
@@ -53,5 +53,5 @@ TEST(MotionStatistics, OfNeighboursThatPartedAgreeAndOfRegularMotionsThereAreNon
   EXPECT_TRUE(motion_statistics({&regular}, variants, 2e-3, 20).empty());
 }
 
-}  // namespace
+}  // namespace motion_statistics_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace plumb {
-namespace {
+namespace nearest_test {
 
 TEST(Nearest, DistanceCountsInsertedDroppedChangedAndSwappedLetters) {
   EXPECT_EQ(edit_distance("length", "length"), 0U);
@@ -34,5 +34,5 @@ TEST(Nearest, SuggestsOnlyWordsThatShareHalfTheirLetters) {
   EXPECT_EQ(suggestion("banana", {}), "");
 }
 
-}  // namespace
+}  // namespace nearest_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace newton_contraction_test {
 
 Eigen::VectorXd swung(const Cable& cable, const Case& spec, double angle, double stretch) {
   Eigen::VectorXd q = cable.start_q(spec.start);
@@ -80,5 +80,5 @@ TEST(NewtonContraction, LimitIsNotClaimedWithoutSuchAMatrix) {
   EXPECT_EQ(contraction_limit(Cable(spec), method("rk4", 1), motion).at_start, -1);
 }
 
-}  // namespace
+}  // namespace newton_contraction_test
 }  // namespace plumb

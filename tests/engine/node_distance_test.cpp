@@ -8,7 +8,7 @@
 #include "engine/study/judge.h"
 
 namespace plumb {
-namespace {
+namespace node_distance_test {
 
 /// Three nodes that rest, over five outputs.
 Trajectory at_rest() {
@@ -85,5 +85,5 @@ TEST(Judge, ARunDisplacedBeyondToleranceIsNotAccurate) {
     }
 }
 
-}  // namespace
+}  // namespace node_distance_test
 }  // namespace plumb

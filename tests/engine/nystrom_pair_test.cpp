@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace nystrom_pair_test {
 
 using Pair = NystromPair;
 
@@ -34,5 +34,5 @@ TEST(NystromPair, TheLastStageIsTheFirstOfTheNextStep) {
   EXPECT_EQ(Pair::c.back(), 1);
 }
 
-}  // namespace
+}  // namespace nystrom_pair_test
 }  // namespace plumb

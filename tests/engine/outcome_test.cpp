@@ -4,7 +4,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace outcome_test {
 
 TEST(Outcome, ExplicitMethodBeyondItsLimitStopsAndSaysWhere) {
   // The limit is 1.047e-3 s; at 1.3e-3 the energy runs away at once.
@@ -111,5 +111,5 @@ TEST(Outcome, CountersCountWhatTheMethodDid) {
   EXPECT_EQ(euler.counters.factorizations, 100);
 }
 
-}  // namespace
+}  // namespace outcome_test
 }  // namespace plumb

@@ -16,7 +16,7 @@
 #include "engine/output/sha256.h"
 
 namespace plumb {
-namespace {
+namespace output_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -424,5 +424,5 @@ TEST_F(OutputFolderTest, WritesASingleFileAtTheEndOfALink) {
   }
 }
 
-}  // namespace
+}  // namespace output_folder_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace output_times_test {
 
 TEST(OutputTimes, AreMultiplesOfTheIntervalAndTheEnd) {
   EXPECT_EQ(output_times({2, 0.02}).size(), 101u);
@@ -51,5 +51,5 @@ TEST(StateAt, IsTheOutputAtItsTimeAndCubicBetween) {
   EXPECT_THROW(state_at(Trajectory{}, 0), std::out_of_range);
 }
 
-}  // namespace
+}  // namespace output_times_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace override_faults_test {
 
 /// Overrides of the small case, and the whole error that they must give.
 struct Fault {
@@ -71,5 +71,5 @@ TEST(OverrideFaults, ABadOverrideIsRefusedWithItsPlaceAndWhatIsAllowed) {
   });
 }
 
-}  // namespace
+}  // namespace override_faults_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace override_test {
 
 LoadedCase small_set(const std::vector<std::string>& overrides) {
   CaseSource source = small_case();
@@ -117,5 +117,5 @@ TEST(Override, CannotSmuggleInASecondKey) {
   EXPECT_NE(refusal(source), "accepted");
 }
 
-}  // namespace
+}  // namespace override_test
 }  // namespace plumb

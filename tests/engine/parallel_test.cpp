@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace plumb {
-namespace {
+namespace parallel_test {
 
 TEST(Parallel, DoesEveryPieceOfWorkOnce) {
   std::vector<std::atomic<int>> done(100);
@@ -46,5 +46,5 @@ TEST(ParallelDeathTest, DoesItAllWhereNoThreadIsToBeHad) {
   EXPECT_EXIT(work_without_threads(), ::testing::ExitedWithCode(0), "");
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace plumb

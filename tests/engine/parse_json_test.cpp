@@ -5,7 +5,7 @@
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
+namespace parse_json_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -90,5 +90,5 @@ TEST(ParseJson, WhatAReaderThrowsBecomesOneError) {
   EXPECT_THROW(refused([] { throw Interrupted(); }), Interrupted);
 }
 
-}  // namespace
+}  // namespace parse_json_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 namespace plumb {
-namespace {
+namespace quadrature_test {
 
 double integral_of_power(std::span<const QuadraturePoint> rule, int power) {
   double sum = 0;
@@ -35,5 +35,5 @@ TEST(Quadrature, OtherNumbersOfPointsAreRefused) {
   EXPECT_THROW(gauss_rule(4), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace quadrature_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace plumb {
-namespace {
+namespace range_test {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -42,5 +42,5 @@ TEST(Range, SaysInWordsWhatItHolds) {
             "a number greater than 0 and less than 1");
 }
 
-}  // namespace
+}  // namespace range_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace reference_faults_test {
 
 /// One replacement in the reference of the small case, and the whole error that it must give.
 struct Fault {
@@ -159,5 +159,5 @@ TEST(ReferenceFaults, AReferenceInAnotherUnitIsRefusedWithItsPlaceAndWhatIsAllow
   });
 }
 
-}  // namespace
+}  // namespace reference_faults_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace rigid_rod_test {
 
 /// Closed form of the rod of 1 m let go level at 4 rad/s, g = 9.81 m/s²: with the height of its direction u
 /// and L = u̇-free momentum, u̇² is a cubic in u, whose roots and the complete elliptic integral give these.
@@ -155,5 +155,5 @@ TEST(RigidRod, OverrulesWhatTheFileSaysOfElements) {
   EXPECT_EQ(load_case(source).spec.cable.model, CableModel::chain);
 }
 
-}  // namespace
+}  // namespace rigid_rod_test
 }  // namespace plumb

@@ -22,7 +22,7 @@
 // What each place that can say something good says of nothing, of one point, of what is not a number, of
 // what is infinite and of what is another thing.
 namespace plumb {
-namespace {
+namespace said_good_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
@@ -333,5 +333,5 @@ INSTANTIATE_TEST_SUITE_P(Engine, SaidGood, ::testing::Range<std::size_t>(0, rows
                            return name;
                          });
 
-}  // namespace
+}  // namespace said_good_test
 }  // namespace plumb

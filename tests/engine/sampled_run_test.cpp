@@ -8,7 +8,7 @@
 #include "tests/report/made_run.h"
 
 namespace plumb {
-namespace {
+namespace sampled_run_test {
 
 std::vector<double> every(double interval, int count) {
   std::vector<double> times;
@@ -113,5 +113,5 @@ TEST(SampledRun, BearableIsATenthOfTheToleranceAndNoMore) {
   EXPECT_FALSE(bearable(std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()));
 }
 
-}  // namespace
+}  // namespace sampled_run_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace separation_test {
 
 constexpr double tolerance = 1e-3;
 
@@ -79,5 +79,5 @@ TEST(Separation, ThatCannotBeFollowedSaysSo) {
   EXPECT_FALSE(separation.beyond_end) << separation.in_words;
 }
 
-}  // namespace
+}  // namespace separation_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace spring_pendulum_test {
 
 /// The stiff spring pendulum of Kuhl and Crisfield (1999) as a chain of one link: 10.0005 kg at the end, 7.72
 /// m/s across, no gravity.
@@ -83,5 +83,5 @@ TEST(SpringPendulum, EnergyMomentumKeepsTheEnergyWhereTheTrapezoidalRuleDoesNot)
   }
 }
 
-}  // namespace
+}  // namespace spring_pendulum_test
 }  // namespace plumb

@@ -13,7 +13,7 @@
 #include "tests/engine/tiny_stability.h"
 
 namespace plumb {
-namespace {
+namespace stability_file_test {
 
 /// A study of anything, whole but without sense.
 class RandomStability {
@@ -202,5 +202,5 @@ TEST(StabilityFile, WhatDoesNotFitTogetherIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace stability_file_test
 }  // namespace plumb

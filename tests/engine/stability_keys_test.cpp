@@ -8,7 +8,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace stability_keys_test {
 
 CaseSource case_with(const std::string& lines) {
   CaseSource source = small_case();
@@ -139,5 +139,5 @@ TEST(StabilityKeys, BadValuesAreRefusedWithWhatIsAllowed) {
   }
 }
 
-}  // namespace
+}  // namespace stability_keys_test
 }  // namespace plumb

@@ -16,7 +16,7 @@
 #include "tests/engine/tiny_stability.h"
 
 namespace plumb {
-namespace {
+namespace stability_run_test {
 
 const OutcomeMap& map_named(const Stability& study, const std::string& label, MapAxis axis) {
   for (const OutcomeMap& map : study.maps)
@@ -252,5 +252,5 @@ TEST(EqualRatios, ReachBothEndsExactly) {
     EXPECT_NEAR(values[k] / values[k - 1], values[1] / values[0], 1e-9);
 }
 
-}  // namespace
+}  // namespace stability_run_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace start_test {
 
 TEST(Start, AxialSpeedFollowsTheFirstVibrationOfACableHeldAtItsFirstEnd) {
   Case spec = pendulum(5, 8);
@@ -67,5 +67,5 @@ TEST(Start, AxialSpeedSetsOffTheFirstAxialVibration) {
   EXPECT_NEAR(tip(trajectory, 4).x() - 1, 0, off);
 }
 
-}  // namespace
+}  // namespace start_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace statics_stability_test {
 
 constexpr double length = 0.5, area = 3.375e-4, second_moment = 5.69531e-10, youngs_modulus = 2e11;
 const double critical =
@@ -134,5 +134,5 @@ TEST(StaticsStability, ALoadBetweenStepsIsTakenOnlyWhereTheCableWouldStay) {
   EXPECT_TRUE(statics->interpolated().ok()) << "what was wrong is forgotten";
 }
 
-}  // namespace
+}  // namespace statics_stability_test
 }  // namespace plumb

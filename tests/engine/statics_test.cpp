@@ -5,7 +5,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace statics_test {
 
 /// At rest along x, unloaded, without gravity, with its first end clamped.
 Case cantilever(double length, double area, double second_moment, double youngs_modulus, int elements) {
@@ -215,5 +215,5 @@ TEST(Statics, CableThatNothingHoldsIsSingular) {
   }
 }
 
-}  // namespace
+}  // namespace statics_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "engine/study/cheapest.h"
 
 namespace plumb {
-namespace {
+namespace study_cheapest_test {
 
 StudyRun with_step(double step) {
   StudyRun run;
@@ -32,5 +32,5 @@ TEST(StudyCheapest, NothingIsSaidBelowTheFloorOrWhereNothingWasTimed) {
   EXPECT_TRUE(cheapest_runs(runs, {"a"}, {{1, -1}}, 0, 1).empty());
 }
 
-}  // namespace
+}  // namespace study_cheapest_test
 }  // namespace plumb

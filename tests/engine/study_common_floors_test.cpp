@@ -3,7 +3,7 @@
 #include "engine/study/common_floors.h"
 
 namespace plumb {
-namespace {
+namespace study_common_floors_test {
 
 const std::vector<double> flat_at_1e_6{1e-3, 1e-5, 1.1e-6, 1e-6, 1.2e-6};
 const std::vector<double> falling{1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
@@ -23,5 +23,5 @@ TEST(StudyCommonFloors, CurvesOfOneMethodOrOfDifferentLevelsAreNot) {
   EXPECT_TRUE(common_floors({{"a", {1, 1, -1}}, {"b", {1, 1, -1}}, {"c", {1, 1, -1}}}).empty());
 }
 
-}  // namespace
+}  // namespace study_common_floors_test
 }  // namespace plumb

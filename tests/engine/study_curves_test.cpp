@@ -8,7 +8,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace study_curves_test {
 
 std::vector<CurvePlan> all_curves(const Case& spec) {
   const WorkPrecisionSpec study = work_precision_of(spec);
@@ -70,5 +70,5 @@ TEST(StudyCurves, VariantsStateTheirOwnOrder) {
   EXPECT_EQ(labelled("cvode-bdf, order ≤ 2").stated_order, "1 to 2");
 }
 
-}  // namespace
+}  // namespace study_curves_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace study_error_norms_test {
 
 /// A space curve that a cubic element of any length holds exactly, moving in time.
 Vec3 cubic(double s, double t) {
@@ -110,5 +110,5 @@ TEST(StudyErrorNorms, EveryNormHasAWordAUnitAndAValueOfItsOwn) {
   EXPECT_EQ(sum, 1234);
 }
 
-}  // namespace
+}  // namespace study_error_norms_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "engine/study/grid_convergence.h"
 
 namespace plumb {
-namespace {
+namespace study_grid_convergence_test {
 
 /// The index of a manufactured sequence f(h) = F + C h^p on three meshes.
 GridConvergence manufactured(double order, double h, double ratio21, double ratio32) {
@@ -37,5 +37,5 @@ TEST(StudyGridConvergence, SaysNothingWhereTheChangesDoNotFall) {
   EXPECT_EQ(grid_convergence(1, 4, 1, 2, 1.25).order, -1);
 }
 
-}  // namespace
+}  // namespace study_grid_convergence_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "engine/study/observed_order.h"
 
 namespace plumb {
-namespace {
+namespace study_observed_order_test {
 
 std::vector<StepError> power_law(double order, double largest, double ratio, int runs) {
   std::vector<StepError> curve;
@@ -83,5 +83,5 @@ TEST(StudyObservedOrder, ScatterWithinThePartIsItsDeviation) {
   EXPECT_LT(seen.deviation, 0.05);
 }
 
-}  // namespace
+}  // namespace study_observed_order_test
 }  // namespace plumb

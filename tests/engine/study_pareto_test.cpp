@@ -6,7 +6,7 @@
 #include "engine/study/pareto.h"
 
 namespace plumb {
-namespace {
+namespace study_pareto_test {
 
 bool beats(const WorkError& a, const WorkError& b) {
   return a.seconds <= b.seconds && a.error <= b.error && (a.seconds < b.seconds || a.error < b.error);
@@ -64,5 +64,5 @@ TEST(StudyPareto, RunsWithoutCostOrErrorAreLeftOut) {
   EXPECT_EQ(pareto_front(std::vector<WorkError>{{2, 1}, {1, 2}, {3, 1}}), (std::vector<std::size_t>{1, 0}));
 }
 
-}  // namespace
+}  // namespace study_pareto_test
 }  // namespace plumb

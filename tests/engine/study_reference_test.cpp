@@ -5,7 +5,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace study_reference_test {
 
 Case short_pendulum() {
   Case spec = pendulum(5, 2);
@@ -61,5 +61,5 @@ TEST(StudyReference, TheErrorOfItsMeshIsPartOfTheJudgement) {
   EXPECT_FALSE(reference.certified) << "an unknown mesh error certifies nothing";
 }
 
-}  // namespace
+}  // namespace study_reference_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "tests/engine/tiny_study.h"
 
 namespace plumb {
-namespace {
+namespace study_run_test {
 
 namespace fs = std::filesystem;
 
@@ -281,5 +281,5 @@ TEST(StudyJournal, ThatCannotBeWrittenIsAnOutputError) {
   EXPECT_THROW(StudyJournal("/nowhere/journal", "a"), OutputError);
 }
 
-}  // namespace
+}  // namespace study_run_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "engine/model/supports.h"
 
 namespace plumb {
-namespace {
+namespace support_constraints_test {
 
 const Support every_support[] = {Support::free, Support::pinned, Support::clamped};
 
@@ -55,5 +55,5 @@ TEST(GreatestReaction, LooksAtTheForcesOfBothEndsAndNotAtMoments) {
   EXPECT_EQ(greatest_reaction(ends, {}), 0);
 }
 
-}  // namespace
+}  // namespace support_constraints_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/engine/dense_matrix.h"
 
 namespace plumb {
-namespace {
+namespace supports_test {
 
 /// A symmetric matrix of random numbers; of the diagonal blocks the rows above the diagonal hold no numbers,
 /// as nobody may read them.
@@ -48,5 +48,5 @@ TEST(SupportProjection, OfAMatrixIsPAPAndTheIdentityWhereItHolds) {
       }
 }
 
-}  // namespace
+}  // namespace supports_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include "tests/engine/tiny_sweep.h"
 
 namespace plumb {
-namespace {
+namespace sweep_cases_test {
 
 Case case_with(const LoadedCase& loaded, const std::vector<std::string>& overrides) {
   CaseSource source = loaded.source;
@@ -97,5 +97,5 @@ TEST(SweepCases, TheFilesOwnMethodKeepsToItsKindOfSetting) {
   EXPECT_GT(own, 10);
 }
 
-}  // namespace
+}  // namespace sweep_cases_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace sweep_keys_test {
 
 CaseSource with_sweep(const std::string& lines) {
   CaseSource source = small_case();
@@ -47,5 +47,5 @@ TEST(SweepKeys, BadValuesAreRefusedWithWhatIsAllowed) {
   }
 }
 
-}  // namespace
+}  // namespace sweep_keys_test
 }  // namespace plumb

@@ -14,7 +14,7 @@
 #include "tests/engine/tiny_sweep.h"
 
 namespace plumb {
-namespace {
+namespace sweep_test {
 
 long wrongly_accurate(const Sweep& sweep) {
   return std::count_if(sweep.runs.begin(), sweep.runs.end(),
@@ -197,5 +197,5 @@ TEST(SweepJson, AnythingElseIsRefused) {
   }
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace plumb

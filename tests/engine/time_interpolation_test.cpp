@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace time_interpolation_test {
 
 double cubic(double t) {
   return 1 - 2 * t + 3 * t * t - 0.5 * t * t * t;
@@ -68,5 +68,5 @@ TEST(TimeInterpolation, FewerThanFourTimesGiveALowerDegreeAndAreSaidSo) {
   EXPECT_EQ(interpolation_in_words(4), "cubically");
 }
 
-}  // namespace
+}  // namespace time_interpolation_test
 }  // namespace plumb

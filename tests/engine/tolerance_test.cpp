@@ -4,7 +4,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace tolerance_test {
 
 const TimeSpec half_second{0.5, 0.05};
 
@@ -79,5 +79,5 @@ TEST(ErrorControl, OfMultistepMethodsNeedsMoreStepsWithALowerHighestOrder) {
   }
 }
 
-}  // namespace
+}  // namespace tolerance_test
 }  // namespace plumb

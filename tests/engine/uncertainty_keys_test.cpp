@@ -5,7 +5,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace uncertainty_keys_test {
 
 CaseSource with_lines(const std::string& lines) {
   CaseSource source = small_case();
@@ -110,5 +110,5 @@ TEST(UncertainKeys, OverridesGiveTheCaseThoseValues) {
   EXPECT_FALSE(uncertain_value(loaded.spec, "cable.elements"));
 }
 
-}  // namespace
+}  // namespace uncertainty_keys_test
 }  // namespace plumb

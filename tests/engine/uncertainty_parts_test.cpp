@@ -7,7 +7,7 @@
 #include "engine/study/comparison_words.h"
 
 namespace plumb {
-namespace {
+namespace uncertainty_parts_test {
 
 UncertaintyPart estimated(const char* name, std::vector<double> values) {
   return {name, PartState::estimated, "made", std::move(values)};
@@ -122,5 +122,5 @@ TEST(UncertaintyRuns, MeshesAreCoarserOnesWhereThoseAreStillMeshes) {
   }
 }
 
-}  // namespace
+}  // namespace uncertainty_parts_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "engine/study/uncertainty_parts.h"
 
 namespace plumb {
-namespace {
+namespace uncertainty_run_test {
 
 /// A free cable that falls as −g t²/2, beside figures that are 0.01 m too high at the end.
 CaseSource falling(const std::string& extra) {
@@ -212,5 +212,5 @@ TEST(AssessmentFile, OfAnotherRunOrDamagedIsRefused) {
     EXPECT_NE(message.find(says), std::string::npos) << message << "\n" << says;
 }
 
-}  // namespace
+}  // namespace uncertainty_run_test
 }  // namespace plumb

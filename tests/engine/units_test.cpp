@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace plumb {
-namespace {
+namespace units_test {
 
 TEST(Units, AFactorTurnsANumberIntoTheBaseUnit) {
   const std::tuple<const char*, const char*, double> expected[] = {{"mm", "m", 1e-3},
@@ -54,5 +54,5 @@ TEST(Units, AFaultSaysTheDimensionOrTheNearestAndWhatIsAllowed) {
   EXPECT_EQ(unit_fault("furlong", "s"), "is no known unit; allowed: s, ms, us, µs, min");
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace variant_figure_test {
 
 std::vector<double> vibration(double growth, double angle, double offset, int count) {
   std::vector<double> x;
@@ -82,5 +82,5 @@ TEST(VariantFigure, IsMetWithinItsMarginOnBothSides) {
   }
 }
 
-}  // namespace
+}  // namespace variant_figure_test
 }  // namespace plumb

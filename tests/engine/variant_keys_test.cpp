@@ -3,7 +3,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace variant_keys_test {
 
 CaseSource with_lines(const std::string& lines) {
   CaseSource source = small_case();
@@ -136,5 +136,5 @@ TEST(VariantKeys, GrowthNeedsAProbe) {
   EXPECT_NE(refusal(source).find("needs a [[probe]]"), std::string::npos) << refusal(source);
 }
 
-}  // namespace
+}  // namespace variant_keys_test
 }  // namespace plumb

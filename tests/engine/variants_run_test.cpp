@@ -9,7 +9,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace variants_run_test {
 
 VariantsStudy small_study() {
   CaseSource source = small_case();
@@ -97,5 +97,5 @@ TEST(VariantsFile, RefusesWhatIsNotOne) {
     EXPECT_NE(fault(with(text, from, to)).find(says), std::string::npos) << fault(with(text, from, to));
 }
 
-}  // namespace
+}  // namespace variants_run_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
-namespace {
+namespace vibration_test {
 
 /// Lowest circular frequencies (rad/s) of the straight, unstretched cable along one axis (0: axial, 1 and 2:
 /// across).
@@ -85,5 +85,5 @@ TEST(Vibration, ClampedLastEndIsTheMirrorOfAClampedFirst) {
     expect_frequencies(frequencies(last, axis), frequencies(first, axis), 1e-9);
 }
 
-}  // namespace
+}  // namespace vibration_test
 }  // namespace plumb

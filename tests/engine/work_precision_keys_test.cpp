@@ -4,7 +4,7 @@
 #include "tests/engine/small_case.h"
 
 namespace plumb {
-namespace {
+namespace work_precision_keys_test {
 
 std::string refused_with(const std::string& lines) {
   CaseSource source = small_case();
@@ -117,5 +117,5 @@ TEST(WorkPrecisionKeys, BadValuesAreRefusedWithWhatIsAllowed) {
   }
 }
 
-}  // namespace
+}  // namespace work_precision_keys_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include <thread>
 
 namespace plumb {
-namespace {
+namespace worker_processes_test {
 
 WorkerJobs jobs_of(std::vector<std::size_t> lines, double longest_silence = 30) {
   WorkerJobs jobs;
@@ -93,5 +93,5 @@ TEST(WorkerProcesses, OneThatHangsIsEnded) {
   EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(20));
 }
 
-}  // namespace
+}  // namespace worker_processes_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {
-namespace {
+namespace replay_test {
 
 namespace fs = std::filesystem;
 
@@ -47,5 +47,5 @@ TEST(Promises, AreBrokenByWhatTheyForbid) {
   EXPECT_THROW(reads<std::out_of_range>(refuse), std::invalid_argument) << "it may refuse otherwise only";
 }
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace plumb::fuzz

@@ -5,7 +5,7 @@
 #include "tests/render/made_png.h"
 
 namespace plumb {
-namespace {
+namespace apng_player_test {
 
 /// A frame of 4 x 4 or a part of it, of one colour with opacity.
 struct Shot {
@@ -83,5 +83,5 @@ TEST(ApngPlayer, ShowsFramesOnWhatThoseBeforeThemLeave) {
   }
 }
 
-}  // namespace
+}  // namespace apng_player_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include "tests/render/made_png.h"
 
 namespace plumb {
-namespace {
+namespace apng_test {
 
 Image flat(int width, int height, std::uint8_t level) {
   return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), level)};
@@ -129,5 +129,5 @@ TEST(Apng, NoFramesOrARateThatCannotBeWrittenAreRefused) {
   EXPECT_THROW(join_apng(std::vector<std::string>{"not a PNG"}, 25), InputError);
 }
 
-}  // namespace
+}  // namespace apng_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include <set>
 
 namespace plumb {
-namespace {
+namespace axis_ticks_test {
 
 TickRoom room(double length) {
   return {length, 120, 10, [](std::string_view label) { return 18.0 * static_cast<double>(label.size()); }};
@@ -163,5 +163,5 @@ TEST(RoundStep, IsTheNextOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(round_step(501), 1000);
 }
 
-}  // namespace
+}  // namespace axis_ticks_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "tests/render/swing.h"
 
 namespace plumb {
-namespace {
+namespace backends_test {
 
 std::size_t differing_bytes(const Image& a, const Image& b) {
   if (a.rgb.size() != b.rgb.size()) return std::max(a.rgb.size(), b.rgb.size());
@@ -87,5 +87,5 @@ TEST_F(BackendsTest, DrawTheSamePlots) {
   EXPECT_EQ(a, b) << differing_bytes(a, b) << " bytes differ";
 }
 
-}  // namespace
+}  // namespace backends_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include <numeric>
 
 namespace plumb {
-namespace {
+namespace band_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -87,5 +87,5 @@ TEST(ErrorBars, HaveAStemAndTwoCapsUnlessTheMarkerHidesThem) {
   EXPECT_EQ(level[1], Point(130, 100));
 }
 
-}  // namespace
+}  // namespace band_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace plumb {
-namespace {
+namespace camera_test {
 
 std::vector<Vec3> some_places() {
   return {{0, 0, 0}, {1, 0.2, -0.3}, {-0.4, -0.9, 0.8}, {0.3, 0.5, 0.1}};
@@ -74,5 +74,5 @@ TEST(Camera, FittedParallelViewOfAPointHasAHeight) {
   EXPECT_NEAR(p.x(), 150, 1e-9);
 }
 
-}  // namespace
+}  // namespace camera_test
 }  // namespace plumb

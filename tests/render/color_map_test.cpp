@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace color_map_test {
 
 /// CIE lightness of an sRGB colour.
 double lightness(Color color) {
@@ -64,5 +64,5 @@ TEST(ColorMap, EndsAtItsEnds) {
   EXPECT_EQ(map_color(7), map_color(1));
 }
 
-}  // namespace
+}  // namespace color_map_test
 }  // namespace plumb

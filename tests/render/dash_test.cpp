@@ -5,7 +5,7 @@
 #include <limits>
 
 namespace plumb {
-namespace {
+namespace dash_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -49,5 +49,5 @@ TEST(Dash, NotANumberBreaksTheLineAndALonePointIsADot) {
   EXPECT_EQ(pieces[1].first, pieces[1].second);
 }
 
-}  // namespace
+}  // namespace dash_test
 }  // namespace plumb

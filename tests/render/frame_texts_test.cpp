@@ -5,7 +5,7 @@
 #include "tests/render/pictures.h"
 
 namespace plumb {
-namespace {
+namespace frame_texts_test {
 
 FrameTexts some_texts() {
   FrameTexts texts;
@@ -93,5 +93,5 @@ TEST_F(FrameTextsTest, TinyPicturesHaveNone) {
   for (const std::uint8_t byte : image.rgb) ASSERT_EQ(byte, 255);
 }
 
-}  // namespace
+}  // namespace frame_texts_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace given_ticks_test {
 
 TickRoom room(double length) {
   return {length, 120, 10, [](std::string_view label) { return 18.0 * static_cast<double>(label.size()); }};
@@ -53,5 +53,5 @@ TEST(GivenTicks, WithoutNamesSayTheirValues) {
             (std::vector<std::string>{"1", "4", "16", "64"}));
 }
 
-}  // namespace
+}  // namespace given_ticks_test
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include "render/painter.h"
 
 namespace plumb {
-namespace {
+namespace gl_context_test {
 
 TEST(GlContext, TellsWhatItRunsOn) {
   const GlContext context;
@@ -122,5 +122,5 @@ TEST(Painter, NotANumberBreaksALine) {
   EXPECT_EQ(at(image, 32, 10)[0], 0);
 }
 
-}  // namespace
+}  // namespace gl_context_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "render/painter.h"
 
 namespace plumb {
-namespace {
+namespace image_difference_test {
 
 Image plain(int width, int height, std::uint8_t level = 255) {
   return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), level)};
@@ -121,5 +121,5 @@ RC_GTEST_PROP(ImageDifferenceProperty, IsTheSameBothWaysAndCountsWhatWasChanged,
   RC_ASSERT((there.density > 0) == (black > 0));
 }
 
-}  // namespace
+}  // namespace image_difference_test
 }  // namespace plumb

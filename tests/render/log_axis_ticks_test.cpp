@@ -8,7 +8,7 @@
 #include <set>
 
 namespace plumb {
-namespace {
+namespace log_axis_ticks_test {
 
 TickRoom room(double length) {
   return {length, 120, 10, [](std::string_view label) {
@@ -157,5 +157,5 @@ TEST(FittedLogRange, IsOneDecadeWithoutData) {
   EXPECT_EQ(range.hi, 10);
 }
 
-}  // namespace
+}  // namespace log_axis_ticks_test
 }  // namespace plumb

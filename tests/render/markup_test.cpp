@@ -6,7 +6,7 @@
 #include "render/text.h"
 
 namespace plumb {
-namespace {
+namespace markup_test {
 
 using Runs = std::vector<TextRun>;
 
@@ -69,5 +69,5 @@ TEST(Markup, HasNoWidthOfItsOwnInAText) {
   EXPECT_GT(font.measure(literal("a^{2}"), {20}).width, font.measure("a^{2}", {20}).width);
 }
 
-}  // namespace
+}  // namespace markup_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "tests/render/swing.h"
 
 namespace plumb {
-namespace {
+namespace picture_gauge_test {
 
 /// The picture of 1000 by 500 pixels is 2 m high, seen along -Z by parallel rays: 250 pixels a metre.
 SceneInput input_along_z() {
@@ -114,5 +114,5 @@ TEST(SceneCamera, IsTheOneThatTheSceneIsDrawnThrough) {
   }
 }
 
-}  // namespace
+}  // namespace picture_gauge_test
 }  // namespace plumb

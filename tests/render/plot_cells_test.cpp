@@ -10,7 +10,7 @@
 #include "tests/render/pictures.h"
 
 namespace plumb {
-namespace {
+namespace plot_cells_test {
 
 Panel grid_panel(int columns, int rows) {
   Panel panel;
@@ -157,5 +157,5 @@ TEST(InkOn, IsBlackOnLightAndWhiteOnDark) {
   EXPECT_GT(ink_on(Color::hex(0x000000)).r, 0.9F);
 }
 
-}  // namespace
+}  // namespace plot_cells_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "engine/errors.h"
 
 namespace plumb {
-namespace {
+namespace plot_layout_test {
 
 Series wave(const std::string& label, double amplitude, double phase) {
   Series series;
@@ -346,5 +346,5 @@ TEST(PlotLayout, WhatCannotBeDrawnIsRefused) {
   EXPECT_THROW(plot_layout(plot, font), OutputError) << "too small";
 }
 
-}  // namespace
+}  // namespace plot_layout_test
 }  // namespace plumb

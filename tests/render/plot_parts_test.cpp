@@ -14,7 +14,7 @@
 #include "tests/render/pictures.h"
 
 namespace plumb {
-namespace {
+namespace plot_parts_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -279,5 +279,5 @@ TEST(PlotParts, WhatDoesNotFitIsRefused) {
             "plot: colours from 1 to 1: must be finite and ascending");
 }
 
-}  // namespace
+}  // namespace plot_parts_test
 }  // namespace plumb

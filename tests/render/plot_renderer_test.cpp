@@ -10,7 +10,7 @@
 #include "tests/render/pictures.h"
 
 namespace plumb {
-namespace {
+namespace plot_renderer_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -404,5 +404,5 @@ TEST_F(PlotRendererTest, EmptyAndConstantDataHaveAxesThatCanBeRead) {
   keep("plot_degenerate", renderer_.draw(plot));
 }
 
-}  // namespace
+}  // namespace plot_renderer_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace plumb {
-namespace {
+namespace plot_theme_test {
 
 constexpr std::array both = {SceneTheme::light, SceneTheme::dark};
 
@@ -60,5 +60,5 @@ TEST(SeenOn, GivesEveryColourTheContrastAskedForAndKeepsItsOpacity) {
   }));
 }
 
-}  // namespace
+}  // namespace plot_theme_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/render/made_png.h"
 
 namespace plumb {
-namespace {
+namespace png_file_test {
 
 const std::string black(3, '\0');
 const std::string pixels = flat_data(4, 4, black);
@@ -234,5 +234,5 @@ TEST(PngFile, ColourSpaceIsToldUnlessItIsThatOfEveryScreen) {
   EXPECT_EQ(read_png_file(ours, "a.png").color_space, "") << "what this program writes";
 }
 
-}  // namespace
+}  // namespace png_file_test
 }  // namespace plumb

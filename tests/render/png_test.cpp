@@ -7,7 +7,7 @@
 #include "render/png_chunks.h"
 
 namespace plumb {
-namespace {
+namespace png_test {
 
 Image pattern(int width, int height) {
   Image image{width, height, {}};
@@ -93,5 +93,5 @@ TEST(Png, KeywordThatPngForbidsIsRefused) {
   EXPECT_THROW(encode_png(pattern(4, 4), {{std::string(200, 'x'), "long"}}), OutputError);
 }
 
-}  // namespace
+}  // namespace png_test
 }  // namespace plumb

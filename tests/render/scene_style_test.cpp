@@ -13,7 +13,7 @@
 #include "tests/render/swing.h"
 
 namespace plumb {
-namespace {
+namespace scene_style_test {
 
 /// The case of the swing.
 Case swing_case() {
@@ -346,5 +346,5 @@ TEST_F(SceneStyle, SameInputGivesTheSamePixels) {
   EXPECT_EQ(frame(input, 20), first);
 }
 
-}  // namespace
+}  // namespace scene_style_test
 }  // namespace plumb

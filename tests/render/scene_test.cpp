@@ -13,7 +13,7 @@
 #include "tests/render/swing.h"
 
 namespace plumb {
-namespace {
+namespace scene_test {
 
 std::array<int, 3> at(const Image& image, const Point& place) {
   const int x = static_cast<int>(place.x());
@@ -232,5 +232,5 @@ TEST(SceneInput, OfACaseHasTheRadiusOfTheCircularSection) {
   EXPECT_EQ(input.title, "Pendulum");
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "tests/render/swing.h"
 
 namespace plumb {
-namespace {
+namespace scene_views_test {
 
 SceneInput view_input(View view, std::array<int, 2> size = {320, 240}) {
   SceneInput input = swing_input();
@@ -131,5 +131,5 @@ TEST_F(SceneViews, OfARunOfOneOutputDraw) {
   }
 }
 
-}  // namespace
+}  // namespace scene_views_test
 }  // namespace plumb

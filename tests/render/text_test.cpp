@@ -7,7 +7,7 @@
 #include "render/utf8.h"
 
 namespace plumb {
-namespace {
+namespace text_test {
 
 long ink(const TextBitmap& bitmap) {
   return std::accumulate(bitmap.coverage.begin(), bitmap.coverage.end(), 0L);
@@ -89,5 +89,5 @@ TEST(Utf8, EachInvalidByteBecomesOneReplacement) {
   EXPECT_EQ(decode_utf8("\xed\xa0\x80"), U"\uFFFD\uFFFD\uFFFD") << "half of a surrogate pair";
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/render/swing.h"
 
 namespace plumb {
-namespace {
+namespace tiles_test {
 
 TEST(Tiles, CoverThePictureOnce) {
   for (const auto& [width, height, most] :
@@ -99,5 +99,5 @@ TEST(Tiles, OfPicturesBeyondAllBoundsAreRefused) {
   EXPECT_THROW(SceneRenderer(context, trajectory, input), OutputError);
 }
 
-}  // namespace
+}  // namespace tiles_test
 }  // namespace plumb

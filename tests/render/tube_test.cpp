@@ -7,7 +7,7 @@
 #include <map>
 
 namespace plumb {
-namespace {
+namespace tube_test {
 
 std::vector<CurvePoint> helix(int pieces) {
   std::vector<CurvePoint> curve;
@@ -72,5 +72,5 @@ TEST(Tube, CurveThatTurnsBackOnItselfHasFiniteVertices) {
   for (const float value : tube_mesh(curve, 0.1, 8).vertices) EXPECT_TRUE(std::isfinite(value));
 }
 
-}  // namespace
+}  // namespace tube_test
 }  // namespace plumb

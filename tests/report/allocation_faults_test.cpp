@@ -6,7 +6,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace allocation_faults_test {
 
 /// Of how many allocations one is made to fail, in the suite; PLUMB_EVERY_ALLOCATION=1 in the environment
 /// tries every one of them.
@@ -60,5 +60,5 @@ TEST(AllocationFaults, OfCheckEndInOneLine) {
   expect_every_allocation_may_fail("check " + small, "");
 }
 
-}  // namespace
+}  // namespace allocation_faults_test
 }  // namespace plumb

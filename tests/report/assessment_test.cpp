@@ -15,7 +15,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace assessment_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -130,5 +130,5 @@ TEST(Program, ReportsUncertaintyAndErrorBudgetAgainWithoutComputingThem) {
   EXPECT_NE(damaged.err.find("assessment.json: cannot be used"), std::string::npos) << damaged.err;
 }
 
-}  // namespace
+}  // namespace assessment_test
 }  // namespace plumb

@@ -12,7 +12,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace baseline_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -408,5 +408,5 @@ TEST_F(Baseline, LastRunInTheFolderIsToldOf) {
   EXPECT_TRUE(told) << changes;
 }
 
-}  // namespace
+}  // namespace baseline_test
 }  // namespace plumb

@@ -3,7 +3,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace bring_your_own_test {
 
 using Json = nlohmann::json;
 
@@ -214,5 +214,5 @@ TEST(GivenRunInAStudy, IsReportedAgainWhereItsFileIsGone) {
   EXPECT_EQ(again.status, study.status) << again.out << again.err;
 }
 
-}  // namespace
+}  // namespace bring_your_own_test
 }  // namespace plumb

@@ -6,7 +6,7 @@
 #include "tests/report/made_run.h"
 
 namespace plumb {
-namespace {
+namespace conclusion_test {
 
 Conclusion conclusion(const plumb::Run& run) {
   return conclusion_of(document_of(evaluate(run, {}), {}));
@@ -56,5 +56,5 @@ TEST(Reproduce, QuotesWhatAShellWouldActOn) {
   EXPECT_EQ(shell_word(""), "''");
 }
 
-}  // namespace
+}  // namespace conclusion_test
 }  // namespace plumb

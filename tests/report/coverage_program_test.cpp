@@ -6,7 +6,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace coverage_program_test {
 
 using Json = nlohmann::json;
 
@@ -138,5 +138,5 @@ TEST_F(CoverageProgram, WithoutACriterionARunEndsWell) {
   EXPECT_EQ(ended.out.find("criteria are met"), std::string::npos) << ended.out;
 }
 
-}  // namespace
+}  // namespace coverage_program_test
 }  // namespace plumb

@@ -15,7 +15,7 @@
 #include "tests/report/made_run.h"
 
 namespace plumb {
-namespace {
+namespace coverage_test {
 
 using Motion = std::function<double(double)>;
 
@@ -400,5 +400,5 @@ TEST(CoverageReport, WhatIsNotRunIsSkippedAndIsNoFailureAndNoPass) {
   EXPECT_NE(to_page(document, {}).find("class=\"tag not-run\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace coverage_test
 }  // namespace plumb

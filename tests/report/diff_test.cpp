@@ -16,7 +16,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace diff_test {
 
 using Json = nlohmann::json;
 
@@ -539,5 +539,5 @@ TEST_F(DiffProgram, PageShowsBothPicturesAndTheMarks) {
   EXPECT_EQ(page.find("http://"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace diff_test
 }  // namespace plumb

@@ -9,7 +9,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace economy_program_test {
 
 using Json = nlohmann::json;
 
@@ -181,5 +181,5 @@ TEST(EconomyFigure, HasTheToleranceTheRungsAndTheChosenOne) {
   EXPECT_EQ(panel.rules.at(0).from, 0.5);
 }
 
-}  // namespace
+}  // namespace economy_program_test
 }  // namespace plumb

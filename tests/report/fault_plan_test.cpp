@@ -7,7 +7,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace fault_plan_test {
 
 /// What is done at each call of a program that touches a file.
 struct Plan {
@@ -252,5 +252,5 @@ TEST_F(SolvedCase, AsOneFileIsOldOrNewWhicheverCallFailsAndWhereverOneIsKilled) 
   try_all(csv, before, {.error = 0});
 }
 
-}  // namespace
+}  // namespace fault_plan_test
 }  // namespace plumb

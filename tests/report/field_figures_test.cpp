@@ -13,7 +13,7 @@
 #include "tests/report/made_run.h"
 
 namespace plumb {
-namespace {
+namespace field_figures_test {
 
 std::vector<std::string> names(const std::vector<Figure>& figures) {
   std::vector<std::string> result;
@@ -127,5 +127,5 @@ TEST(NumberMarkup, HasAPowerOfTenWhereANumberIsSmallOrLarge) {
   EXPECT_EQ(number_markup(0), "0");
 }
 
-}  // namespace
+}  // namespace field_figures_test
 }  // namespace plumb

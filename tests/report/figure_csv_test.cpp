@@ -15,7 +15,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace figure_csv_test {
 
 /// A plot with one of everything that numbers go into.
 Plot one_of_each() {
@@ -146,5 +146,5 @@ TEST_F(ChangedFigure, BandsErrorBarsBarsAndRulesAreCaught) {
   EXPECT_GT(found([](Panel& panel) { panel.x.tick_labels[1] = "end"; }), 1e-7);
 }
 
-}  // namespace
+}  // namespace figure_csv_test
 }  // namespace plumb

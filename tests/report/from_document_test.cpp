@@ -13,7 +13,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace from_document_test {
 
 class FromDocument : public testing::Test {
  protected:
@@ -119,5 +119,5 @@ TEST_F(FromDocument, AnyValueThatWasChangedIsReadOrRefusedInWords) {
   expect_changes_read_or_refused(good_, 300, [&](const Document& changed) { return refusal(changed); });
 }
 
-}  // namespace
+}  // namespace from_document_test
 }  // namespace plumb

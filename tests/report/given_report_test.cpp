@@ -11,7 +11,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace given_report_test {
 
 /// Eleven times that are none of the reference's but the first, of y = −t², which a cubic is exact for.
 std::string parabola(double first, double last, double error = 0) {
@@ -154,5 +154,5 @@ TEST(GivenReport, ARunFileHoldsTheGivenFileSoThatItCanBeReportedWithoutIt) {
   EXPECT_EQ(back.loaded.spec, run.loaded.spec);
 }
 
-}  // namespace
+}  // namespace given_report_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace kept_files_test {
 
 /// Commands among files of others, on a small case.
 class KeptFiles : public ::testing::Test {
@@ -245,5 +245,5 @@ TEST_F(KeptFiles, ARendererThatIsNotThereIsFoundOutBeforeSolving) {
       << "case, references, stdout, stderr";
 }
 
-}  // namespace
+}  // namespace kept_files_test
 }  // namespace plumb

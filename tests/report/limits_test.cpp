@@ -11,7 +11,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace limits_test {
 
 Estimate estimate_of(Resource resource, double amount) {
   Estimate made;
@@ -258,5 +258,5 @@ TEST_F(LimitedProgram, TakesTheMemoryThatIsEstimatedWithinAFactorOfTwo) {
   }
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace plumb

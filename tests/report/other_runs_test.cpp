@@ -11,7 +11,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace other_runs_test {
 
 /// Three runs of the same time and one of another, made once.
 class SceneOfRuns : public testing::Test {
@@ -186,5 +186,5 @@ TEST_F(SceneOfRuns, RunsThatCannotBeShownTogetherAreRefusedByName) {
   }
 }
 
-}  // namespace
+}  // namespace other_runs_test
 }  // namespace plumb

@@ -7,7 +7,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace program_faults_test {
 
 struct Fault {
   std::vector<std::string> arguments;
@@ -197,5 +197,5 @@ TEST(ProgramFaults, FullDiskEndsWithFiveAndLeavesTheEarlierOutputAsItWas) {
   EXPECT_EQ(read_text(folder / "left.txt"), "a\n");
 }
 
-}  // namespace
+}  // namespace program_faults_test
 }  // namespace plumb

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 namespace plumb {
-namespace {
+namespace program_test {
 
 using Json = nlohmann::json;
 
@@ -156,5 +156,5 @@ TEST(Program, QuietSaysNothing) {
   EXPECT_EQ(ended.out + ended.err, "");
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace readme_test {
 
 TEST(Readme, TableOfMethodsSaysWhatTheProgramSays) {
   const std::string readme = read_text(fs::path(PLUMB_SOURCE_DIR) / "README.md");
@@ -25,5 +25,5 @@ TEST(Readme, NamesEveryVerbOfTheProgram) {
     EXPECT_NE(readme.find(fmt::format("| `plumb {}", verb)), readme.npos) << verb;
 }
 
-}  // namespace
+}  // namespace readme_test
 }  // namespace plumb

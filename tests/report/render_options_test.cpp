@@ -4,7 +4,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace render_options_test {
 
 /// A run of eleven frames, made once.
 class RenderOptions : public testing::Test {
@@ -132,5 +132,5 @@ TEST_F(RenderOptions, VideoThatFfmpegCannotWriteLeavesNothing) {
   EXPECT_FALSE(fs::exists(*folder / "bad"));
 }
 
-}  // namespace
+}  // namespace render_options_test
 }  // namespace plumb

@@ -17,7 +17,7 @@
 #include "tests/report/made_run.h"
 
 namespace plumb {
-namespace {
+namespace report_writing_test {
 
 TEST(SeriesError, IsTheDistanceAtTheReferenceTimes) {
   const plumb::Run run = run_with("a");
@@ -495,5 +495,5 @@ TEST(Page, ShowsReactionAndDriftOfTheJointWhereTheyWereComputedOnly) {
   EXPECT_EQ(solve_json(run)["constraint_drift"], 2e-15);
 }
 
-}  // namespace
+}  // namespace report_writing_test
 }  // namespace plumb

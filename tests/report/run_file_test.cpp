@@ -10,7 +10,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace run_file_test {
 
 TEST(RunFile, KeepsEveryNumberOfARun) {
   const TemporaryFolder folder;
@@ -103,5 +103,5 @@ TEST(RunFile, HasAUnitOnEveryDataSet) {
   EXPECT_GT(sets, 25);
 }
 
-}  // namespace
+}  // namespace run_file_test
 }  // namespace plumb

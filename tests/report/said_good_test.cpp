@@ -18,7 +18,7 @@
 // What each place of a report that can say something good says of nothing, of one point, of what is not a
 // number and of what is infinite.
 namespace plumb {
-namespace {
+namespace said_good_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
@@ -292,5 +292,5 @@ INSTANTIATE_TEST_SUITE_P(Report, SaidGood, ::testing::Range<std::size_t>(0, rows
                            return name;
                          });
 
-}  // namespace
+}  // namespace said_good_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace same_bytes_test {
 
 using Words = std::vector<std::string>;
 
@@ -135,5 +135,5 @@ TEST_F(SameBytes, IsNotPromisedWhereTheDriverWouldCrash) {
   EXPECT_FALSE(fs::exists(*folder / "bad"));
 }
 
-}  // namespace
+}  // namespace same_bytes_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace schema_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -58,5 +58,5 @@ TEST(Schema, RefusesWhatIsNoReport) {
   faulty("a text for a number", [](Json& json) { json["solve"]["steps"] = "many"; });
 }
 
-}  // namespace
+}  // namespace schema_test
 }  // namespace plumb

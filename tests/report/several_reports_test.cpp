@@ -3,7 +3,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace several_reports_test {
 
 using Json = nlohmann::json;
 
@@ -133,5 +133,5 @@ TEST_F(ReportFromDocument, TakesThePlaceOfARun) {
   EXPECT_EQ(plumb({"report"}).status, 2);
 }
 
-}  // namespace
+}  // namespace several_reports_test
 }  // namespace plumb

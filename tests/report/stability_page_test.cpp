@@ -10,7 +10,7 @@
 #include "tests/report/made_stability.h"
 
 namespace plumb {
-namespace {
+namespace stability_page_test {
 
 // Stand-ins of one byte for the drawn figures.
 std::vector<Picture> pictures(const Stability& study) {
@@ -142,5 +142,5 @@ TEST(OutcomeStyles, AreTheirOwnForEveryOutcomeThatARunCanHave) {
     }
 }
 
-}  // namespace
+}  // namespace stability_page_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace stability_program_test {
 
 using Json = nlohmann::json;
 
@@ -89,5 +89,5 @@ TEST(StabilityProgram, InterruptedItLeavesNothing) {
   EXPECT_FALSE(fs::exists(folder / "a"));
 }
 
-}  // namespace
+}  // namespace stability_program_test
 }  // namespace plumb

@@ -8,7 +8,7 @@
 #include "tests/report/made_stability.h"
 
 namespace plumb {
-namespace {
+namespace stability_results_test {
 
 const Verdict& verdict_named(const std::vector<Verdict>& verdicts, const std::string& name) {
   for (const Verdict& verdict : verdicts)
@@ -83,5 +83,5 @@ TEST(StabilityResults, ASummaryOfVeryManyMapsStaysShort) {
   EXPECT_LT(to_summary(evaluate_stability(file, {})).size(), 64U * 1024);
 }
 
-}  // namespace
+}  // namespace stability_results_test
 }  // namespace plumb

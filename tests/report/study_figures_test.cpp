@@ -13,7 +13,7 @@
 #include "tests/report/made_study.h"
 
 namespace plumb {
-namespace {
+namespace study_figures_test {
 
 Figure named(const std::vector<Figure>& figures, const std::string& name) {
   for (const Figure& figure : figures)
@@ -198,5 +198,5 @@ TEST(StudyFigures, OfFailuresOnlyOfOneRunOnlyAndOfNothingCanBeDrawn) {
   EXPECT_TRUE(study_figures(WorkPrecision{}).empty());
 }
 
-}  // namespace
+}  // namespace study_figures_test
 }  // namespace plumb

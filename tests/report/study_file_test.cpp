@@ -11,7 +11,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace study_file_test {
 
 /// A study of two methods, with all that one can have.
 const Study& tiny_study() {
@@ -90,5 +90,5 @@ TEST(StudyFile, WhoseIndicesLeadNowhereIsRefused) {
   EXPECT_THROW(read_study((folder / "study.h5").string()), InputError);
 }
 
-}  // namespace
+}  // namespace study_file_test
 }  // namespace plumb

@@ -10,7 +10,7 @@
 #include "tests/report/made_study.h"
 
 namespace plumb {
-namespace {
+namespace study_lines_test {
 
 std::vector<std::string> labels(const std::vector<StudyLine>& lines) {
   std::vector<std::string> result;
@@ -99,5 +99,5 @@ TEST(CurveStyle, ColorsAreWrittenForCss) {
   EXPECT_EQ(css(Color{}), "#000000");
 }
 
-}  // namespace
+}  // namespace study_lines_test
 }  // namespace plumb

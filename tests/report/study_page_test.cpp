@@ -13,7 +13,7 @@
 #include "tests/report/made_study.h"
 
 namespace plumb {
-namespace {
+namespace study_page_test {
 
 // Stand-ins of one byte for the drawn figures.
 std::vector<Picture> pictures(const WorkPrecision& study) {
@@ -191,5 +191,5 @@ TEST(EscapeJson, LeavesTheValuesAsTheyWere) {
   EXPECT_EQ(nlohmann::json::parse(escaped), json);
 }
 
-}  // namespace
+}  // namespace study_page_test
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace study_program_test {
 
 using Json = nlohmann::json;
 
@@ -121,5 +121,5 @@ TEST(StudyProgram, RunKeepsItsQuickStudyAndReportShowsItAgain) {
   EXPECT_EQ(Json::parse(read_text(folder / "b/results.json"))["work_precision"], ran["work_precision"]);
 }
 
-}  // namespace
+}  // namespace study_program_test
 }  // namespace plumb

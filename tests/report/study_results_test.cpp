@@ -7,7 +7,7 @@
 #include "tests/engine/tiny_study.h"
 
 namespace plumb {
-namespace {
+namespace study_results_test {
 
 /// A made study: one curve of three runs, the last of which failed.
 Study made_study() {
@@ -140,5 +140,5 @@ TEST(StudyResults, JsonJunitAndSummarySayTheSame) {
   EXPECT_EQ(junit.find("<b>"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace study_results_test
 }  // namespace plumb

@@ -12,7 +12,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace sweep_report_test {
 
 using Json = nlohmann::json;
 
@@ -190,5 +190,5 @@ TEST(SweepProgram, ADamagedStudyIsRefusedInOneLine) {
   expect_one_line(ended.err);
 }
 
-}  // namespace
+}  // namespace sweep_report_test
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include "tests/report/program.h"
 
 namespace plumb {
-namespace {
+namespace variants_program_test {
 
 using Json = nlohmann::json;
 
@@ -101,5 +101,5 @@ TEST(VariantsProgram, AStudyFileThatIsCutIsRefused) {
   expect_one_line(ended.err);
 }
 
-}  // namespace
+}  // namespace variants_program_test
 }  // namespace plumb

@@ -11,7 +11,7 @@
 #include "tests/report/made_run.h"
 
 namespace plumb {
-namespace {
+namespace variants_results_test {
 
 VariantResult made(const std::string& name, Outcome outcome, double end) {
   VariantResult variant;
@@ -134,5 +134,5 @@ TEST(VariantsFigures, HaveALineAVariantAndACrossWhereOneEndedEarly) {
   EXPECT_EQ(figures[1].plot.panels.at(0).y.label, "tip.x [m]");
 }
 
-}  // namespace
+}  // namespace variants_results_test
 }  // namespace plumb
