@@ -25,6 +25,10 @@ std::string quoted(const std::string& text) {
 std::string value_text(const TomlValue& value) {
   if (value.kind == Kind::string) return quoted(value.string);
   if (value.kind == Kind::boolean) return value.boolean ? "true" : "false";
+  // What was written may be shortened, or end in a comment.
+  const bool whole = value.written.find_first_of("#\xE2") == std::string::npos;
+  if (!whole && value.kind == Kind::integer) return fmt::format("{:.0f}", value.number);
+  if (!whole && value.kind == Kind::real) return fmt::format("{:#}", value.number);
   if (value.kind != Kind::array && value.kind != Kind::table) return value.written;
   const bool table = value.kind == Kind::table;
   std::string items;

@@ -7,7 +7,29 @@ namespace plumb::fuzz {
 namespace {
 
 const Run& made_run() {
-  static const Run run = run_with("made");
+  static const Run run = run_with("made", R"([uncertainty]
+samples = 4
+seed = 9
+[[uncertainty.input]]
+key = "cable.density"
+spread = 0.25
+relative = true
+source = "a <sheet>"
+[error_budget]
+reference = "known"
+interval = 0.001
+[[error_budget.item]]
+name = "gravity"
+set = { loads.gravity = [0, 0, 0] }
+reason = "as <stated>"
+[[error_budget.item]]
+name = "step"
+set = { method.step = 0.2 }
+[[error_budget.item]]
+name = "strain"
+set = { cable.strain = "engineering-material" }
+together = false
+)");
   return run;
 }
 

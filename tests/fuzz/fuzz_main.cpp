@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 using plumb::fuzz::Target;
 
 const Target* chosen = nullptr;
+bool says = false;
 
 void write_seeds(const fs::path& folder) {
   for (const Target& target : plumb::fuzz::targets()) {
@@ -40,6 +41,7 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
       if (word == fmt::format("--target={}", target.name)) chosen = &target;
     }
     if (word == "--targets") std::exit(0);
+    says = says || word == "--say";
   }
   if (chosen == nullptr) {
     fmt::print(stderr, "plumb_fuzz: --target=NAME must name one of --targets\n");
@@ -49,6 +51,7 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  chosen->feed({reinterpret_cast<const char*>(bytes), size});
+  const bool accepted = chosen->feed({reinterpret_cast<const char*>(bytes), size});
+  if (says) fmt::print(stderr, "{}\n", accepted ? "accepted" : plumb::fuzz::last_refusal());
   return 0;
 }

@@ -30,7 +30,7 @@ TEST_P(KeptInputs, KeepEveryPromise) {
 
 TEST_P(KeptInputs, BeginWithThoseThatAreAccepted) {
   for (const std::string& seed : GetParam().seeds())
-    EXPECT_TRUE(GetParam().feed(seed)) << seed.substr(0, 200);
+    EXPECT_TRUE(GetParam().feed(seed)) << last_refusal() << "\n" << seed.substr(0, 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, KeptInputs, testing::ValuesIn(targets().begin(), targets().end()),

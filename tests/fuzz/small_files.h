@@ -15,7 +15,7 @@ const CaseSource& small_source();
 /// A case without [method] on "run.csv".
 std::string small_given_case();
 
-/// The text of every case of the shelf.
+/// The texts of the cases of the shelf, without their comments.
 std::vector<std::string> shelf_texts();
 
 /// The texts of the references: the small one first, then those of the shelf that are not long.

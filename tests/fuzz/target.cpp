@@ -29,6 +29,11 @@ void promise_message(std::string_view message) {
           fmt::format("an error with control characters: {}", message));
 }
 
+std::string& last_refusal() {
+  static std::string why;
+  return why;
+}
+
 MemoryFile::MemoryFile(const std::string& name)
     : path_(fmt::format("/dev/shm/plumb-fuzz-{}-{}", ::getpid(), name)) {}
 
@@ -50,10 +55,10 @@ std::string MemoryFile::text() const {
 }
 
 std::span<const Target> targets() {
-  static const std::array all{case_target,       reference_target,  override_target,   expression_target,
-                              unit_target,       csv_target,        hdf5_target,       results_target,
-                              study_json_target, assessment_target, choice_target,     journal_target,
-                              manifest_target,   png_target,        difference_target, command_line_target};
+  static const std::array all{
+      case_target,    reference_target, override_target, expression_target, unit_target,        csv_target,
+      hdf5_target,    packed_target,    results_target,  study_json_target, assessment_target,  choice_target,
+      journal_target, manifest_target,  png_target,      difference_target, command_line_target};
   return all;
 }
 

@@ -25,6 +25,9 @@ void promise_finite(std::span<const double> values, const std::string& what);
 /// That an error is one line of UTF-8 without control characters, of bounded length.
 void promise_message(std::string_view message);
 
+/// What was last refused, and why.
+std::string& last_refusal();
+
 /// Runs `read`. False where it refuses with one of the exceptions that it may throw; every other one goes on.
 /// The message of an InputError is held to promise_message(): others are made one line where they are shown.
 template <class... Refusals, class Read>
@@ -34,6 +37,7 @@ bool reads(const Read& read) {
     return true;
   } catch (const std::exception& error) {
     if (!(... || (dynamic_cast<const Refusals*>(&error) != nullptr))) throw;
+    last_refusal() = error.what();
     if (dynamic_cast<const InputError*>(&error) != nullptr) promise_message(error.what());
     return false;
   }
@@ -67,7 +71,7 @@ struct Target {
 std::span<const Target> targets();
 
 extern const Target case_target, reference_target, override_target, expression_target, csv_target,
-    hdf5_target, results_target, study_json_target, assessment_target, choice_target, journal_target,
-    manifest_target, png_target, difference_target, command_line_target, unit_target;
+    hdf5_target, packed_target, results_target, study_json_target, assessment_target, choice_target,
+    journal_target, manifest_target, png_target, difference_target, command_line_target, unit_target;
 
 }  // namespace plumb::fuzz

@@ -26,14 +26,15 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PLACE = ROOT / "build" / "mutation"
+# Where the clone and the results are.
+PLACE = Path(os.environ.get("PLUMB_MUTATION", ROOT / "build" / "mutation"))
 TREE = PLACE / "tree"
 BUILD = TREE / "build" / "release"
 
 # Files, the test program and the tests in it that are meant for them, and the programs that are run whole after those.
 TABLE = [
     ("report/verdict.cpp report/series_error.cpp report/given_distance.cpp report/conclusion.cpp report/*coverage*.cpp"
-     " engine/*/*coverage*.cpp",
+     " engine/output/sampled_run.cpp engine/output/known_time.cpp engine/study/comparable_times.cpp",
      "test_report", "*Verdict*:*Coverage*:Conclusion*:*Given*:*Evaluat*:*Reference*:Run*:Report*", ["test_report"]),
     ("report/regression.cpp report/changes.cpp report/baseline*.cpp",
      "test_report", "*Baseline*:*Regression*:*Change*:Reproduce*", ["test_report"]),
@@ -41,7 +42,8 @@ TABLE = [
      " report/picture_difference*.cpp",
      "test_report", "*Diff*", ["test_report"]),
     ("render/image_difference.cpp render/*difference*.cpp", "test_render", "*Difference*", ["test_render", "test_report"]),
-    ("engine/integrate/statics.cpp", "test_engine", "Statics*", ["test_engine"]),
+    ("engine/integrate/statics.cpp engine/model/inertia.cpp engine/*/*inertia*.cpp", "test_engine", "Statics*:*Inertia*",
+     ["test_engine"]),
 ]
 
 SWAPS = [  # operators stand between blanks, as the formatter leaves them; what is in angle brackets of templates does not
