@@ -118,7 +118,8 @@ FoundManifest find_manifest(int folder) {
     const auto [file, size] = open_regular(folder, manifest_name);
     if (!file) throw std::runtime_error("it is no regular file, or cannot be read");
     if (size > longest) throw std::runtime_error("it is too long");
-    found.manifest = manifest_of(text_of(file.get(), size));
+    found.text = text_of(file.get(), size);
+    found.manifest = manifest_of(found.text);
   } catch (const std::system_error&) {
     throw;
   } catch (const std::runtime_error& error) {

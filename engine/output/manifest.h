@@ -43,6 +43,7 @@ struct FoundManifest {
   bool there = false;   ///< there is a file of that name
   std::string fault;    ///< why it is none; empty where there is none or it is good
   Manifest manifest{};  ///< nothing where there is none or it is at fault
+  std::string text{};   ///< its bytes, to tell one that was changed
 };
 
 /// Reads the manifest of an open folder. It is not trusted: a link, another version, anything beside what

@@ -81,6 +81,7 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
     const FolderSurvey survey = look();
     refuse_conflicts(survey);
     ours_ = survey.ours;
+    began_with_ = survey.manifest;
     if (!survey.manifest.manifest.next.empty())
       say(fmt::format(
           "an earlier command was killed while it put its files into {}: what is there may be of two", path));
@@ -88,6 +89,18 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
     fs::create_directories(target.parent_path());
     const bool inside = survey.folder && (!survey.others.empty() || !has_room_beside(target));
     part_ = std::make_unique<PartFolder>(inside ? path_ : target.parent_path().string(), name);
+    // What others put into it stays; what lay in the old folder and was taken away is ours by its sum.
+    part_->own([this](const std::string& file) {
+      const int folder = part_->descriptor();
+      const std::string old = file.starts_with("removed/") ? file.substr(8) : file;
+      const auto is_as_in = [&](const ListedFiles& list, const std::string& as) {
+        const auto listed = list.find(as);
+        return listed != list.end() && is_still(folder, file, listed->second);
+      };
+      if (file == being_written_ || is_as_in(written_, file) || is_as_in(ours_, old)) return true;
+      return file == "both.json" || file == "new.json" ||
+             (file == manifest_name && find_manifest(folder).fault.empty());
+    });
   } catch (const std::system_error& error) {
     throw WriteError(path, error.code().message());
   }
@@ -170,6 +183,13 @@ void OutputFolder::refuse_taken_names(const FolderSurvey& survey) {
   }
 }
 
+/// One that came or was changed while the work was done may be somebody else's.
+void OutputFolder::refuse_other_manifest(const FolderSurvey& survey) const {
+  if (!survey.manifest.there) return;
+  if (!began_with_.there) refuse(manifest_name, false);
+  if (!survey.manifest.fault.empty() || survey.manifest.text != began_with_.text) refuse(manifest_name, true);
+}
+
 void OutputFolder::fail(const std::string& name, int error) const {
   throw WriteError(name.empty() ? path_ : path_ + "/" + name, error);
 }
@@ -181,6 +201,7 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
 }
 
 void OutputFolder::put(const std::string& name, std::string_view bytes) {
+  being_written_ = name;
   const Beneath place = find_beneath(part_->descriptor(), name, true);
   const int file = place.folder ? ::openat(place.folder.get(), place.name.c_str(),
                                            O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)
@@ -192,6 +213,7 @@ void OutputFolder::put(const std::string& name, std::string_view bytes) {
   if (::close(file) != 0 && error == 0) error = errno;
   if (error != 0) fail(name, error);
   written_[name] = {bytes.size(), sha256(bytes)};
+  being_written_.clear();
 }
 
 std::string OutputFolder::read(const std::string& name) const {
@@ -215,6 +237,7 @@ void OutputFolder::commit() {
   try {
     const FolderSurvey survey = look();
     try {
+      refuse_other_manifest(survey);
       refuse_taken_names(survey);
     } catch (const OutputError& error) {
       throw OutputError(error.what() + set_aside());

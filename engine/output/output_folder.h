@@ -78,6 +78,7 @@ class OutputFolder {
   bool is_source(const std::string& name) const;
   void refuse_conflicts(const FolderSurvey& survey) const;
   void refuse_taken_names(const FolderSurvey& survey);
+  void refuse_other_manifest(const FolderSurvey& survey) const;
   [[noreturn]] void refuse(const std::string& name, bool changed) const;
   [[noreturn]] void fail(const std::string& name, int error) const;
   std::string set_aside();
@@ -85,8 +86,10 @@ class OutputFolder {
   std::string path_;
   FolderUse use_;
   std::unique_ptr<PartFolder> part_;
-  ListedFiles ours_;  ///< when it was made
+  ListedFiles ours_;          ///< when it was made
+  FoundManifest began_with_;  ///< the manifest that was there then
   ListedFiles written_;
+  std::string being_written_;  ///< what may be there in part
 };
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -123,6 +124,7 @@ void empty_leftover(int folder, const std::function<bool(std::string_view)>& is_
 
 PartFolder::PartFolder(const std::string& parent, const std::string& name) {
   const fs::path pattern = fs::path(parent) / ("." + name + ".part-" + std::string(letters, 'X'));
+  visible_ = (fs::path(parent) / (name + ".new")).string();
   struct stat status {};
   do {
     path_ = pattern.string();
@@ -154,9 +156,15 @@ PartFolder::PartFolder(const std::string& parent, const std::string& name) {
 PartFolder::~PartFolder() {
   if (path_.empty()) return;
   end_unfinished(path_);
-  remove_ours(folder_.get(), "", [](const std::string& name) { return name != mark_name; });
+  try {
+    remove_ours(folder_.get(), "",
+                [&](const std::string& name) { return name != mark_name && (!is_ours_ || is_ours_(name)); });
+  } catch (const std::system_error&) {
+    // What cannot be read is not known to be ours, and stays.
+  }
   ::unlinkat(folder_.get(), mark_name, 0);
-  ::rmdir(path_.c_str());
+  if (::rmdir(path_.c_str()) != 0 && errno == ENOTEMPTY)
+    ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, visible_.c_str(), RENAME_NOREPLACE);
 }
 
 void PartFolder::let_go() {

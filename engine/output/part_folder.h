@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/output/beneath.h"
 
@@ -15,12 +16,15 @@ class PartFolder {
  public:
   /// Made in the folder `parent`. Throws std::system_error.
   PartFolder(const std::string& parent, const std::string& name);
-  /// Removes it with all that is in it, unless it was let go.
+  /// Removes it and what was written into it, unless it was let go. Where anything else came into it that
+  /// stays, in `NAME.new` if that name is free.
   ~PartFolder();
   PartFolder(const PartFolder&) = delete;
   PartFolder& operator=(const PartFolder&) = delete;
 
   const std::string& path() const { return path_; }
+  /// Tells what of it is ours by the name below it.
+  void own(std::function<bool(const std::string&)> is_ours) { is_ours_ = std::move(is_ours); }
   int descriptor() const { return folder_.get(); }
 
   /// Removes the mark: what is in it is told by a manifest from now on.
@@ -30,6 +34,8 @@ class PartFolder {
 
  private:
   std::string path_;
+  std::string visible_;  ///< what it is called if something of others is left in it
+  std::function<bool(const std::string&)> is_ours_;
   Descriptor folder_;
 };
 

@@ -1,40 +1,37 @@
 #include "engine/output/sha256.h"
 
-#include <openssl/evp.h>
+#include <nettle/sha2.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <memory>
-#include <new>
+#include <cstdint>
 #include <vector>
 
 namespace plumb {
 namespace {
 
+/// Nettle's, which allocates nothing and so cannot fail.
 class Sha256 {
  public:
-  Sha256() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
-    if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
-  }
+  Sha256() { sha256_init(&context_); }
   void add(const void* bytes, std::size_t count) {
-    if (EVP_DigestUpdate(context_.get(), bytes, count) != 1) throw std::bad_alloc();
+    sha256_update(&context_, count, static_cast<const std::uint8_t*>(bytes));
   }
   std::string digits() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
-    unsigned count = 0;
-    if (EVP_DigestFinal_ex(context_.get(), sum.data(), &count) != 1) throw std::bad_alloc();
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> sum{};
+    sha256_digest(&context_, sum.size(), sum.data());
     constexpr char hexadecimal[] = "0123456789abcdef";
     std::string text;
-    for (unsigned k = 0; k < count; ++k) {
-      text += hexadecimal[sum[k] >> 4];
-      text += hexadecimal[sum[k] & 15];
+    for (const std::uint8_t byte : sum) {
+      text += hexadecimal[byte >> 4];
+      text += hexadecimal[byte & 15];
     }
     return text;
   }
 
  private:
-  std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;
+  sha256_ctx context_{};
 };
 
 }  // namespace

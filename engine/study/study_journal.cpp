@@ -109,10 +109,17 @@ std::string heading(const std::string& identity) {
   return text_of({{"plumb_study_journal", 2}, {"identity", identity}}) + "\n";
 }
 
-/// How every journal begins, of any version; one may have been cut off within that.
+/// Whether it has the whole heading of a journal, of any version, or nothing. One that was cut off within the
+/// heading holds no run, and cannot be told from a file of somebody else.
 bool is_ours(std::string_view text) {
+  if (text.empty()) return true;
   constexpr std::string_view begin = R"({"identity":")";
-  return begin.starts_with(text.substr(0, begin.size()));
+  constexpr std::size_t longest = 4096;
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos || end > longest || !text.starts_with(begin)) return false;
+  const Json first = Json::parse(text.substr(0, end), nullptr, false);
+  return first.is_object() && first.size() == 2 && first.contains("plumb_study_journal") &&
+         first["plumb_study_journal"].is_number_integer() && first["identity"].is_string();
 }
 
 }  // namespace
@@ -139,7 +146,7 @@ void StudyJournal::go_on() {
   if (!is_ours(text)) fail("it is there and is no journal of a study");
   const std::string first = heading(identity_);
   const bool same = text.starts_with(first);
-  if (!same && status.st_nlink > 1) fail("it is the journal of another study, under two names");
+  if (status.st_nlink > 1) fail("it is there under two names, so it is left alone");
   std::size_t end_of_whole = first.size();
   for (std::size_t end; same && (end = text.find('\n', end_of_whole)) != std::string::npos;) {
     if (!take(text.substr(end_of_whole, end - end_of_whole))) ++damaged_;
@@ -251,7 +258,12 @@ void StudyJournal::add_reference(const StudyReference& reference) {
 }
 
 void StudyJournal::remove() {
-  if (!path_.empty()) ::unlink(path_.c_str());
+  // Another file may have come to be there.
+  struct stat own {
+  }, there{};
+  if (file_ >= 0 && ::fstat(file_, &own) == 0 && ::lstat(path_.c_str(), &there) == 0 &&
+      own.st_dev == there.st_dev && own.st_ino == there.st_ino)
+    ::unlink(path_.c_str());
 }
 
 std::string study_identity(const CaseSource& source, bool quick) {

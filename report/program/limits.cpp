@@ -20,6 +20,8 @@
 namespace plumb {
 namespace {
 
+constexpr const char* limit_option = "--limit";
+
 namespace fs = std::filesystem;
 
 constexpr const char* limit_form = "must be as memory=2GB,disk=10GB,time=1h, each at most once";
@@ -156,7 +158,7 @@ std::vector<Bound> asked_bounds(const std::vector<std::string>& texts) {
       for (const Bound& other : bounds)
         if (other.resource == resource)
           refuse_limit(text, fmt::format("{} is limited twice; {}", word(resource), limit_form));
-      bounds.push_back({resource, amount_of(part.substr(equals + 1), resource, text), "--limit"});
+      bounds.push_back({resource, amount_of(part.substr(equals + 1), resource, text), limit_option});
     }
   }
   return bounds;
@@ -178,10 +180,15 @@ void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, c
     // Turned round, so that a number that is none is refused.
     if (wanted <= bound.amount) continue;
     const EstimatedPart most = estimate.parts_of(bound.resource).front();
-    throw InputError(fmt::format("{}: would take some {} of {}, more than {}, {}; most of it: {}{}", name,
-                                 amount_in_words(bound.resource, wanted), word(bound.resource), bound.source,
-                                 amount_in_words(bound.resource, bound.amount), describe(most),
-                                 most.keys.empty() ? "" : "; less with other " + most.keys));
+    const std::string refused =
+        fmt::format("{}: would take some {} of {}, more than {}, {}; most of it: {}{}", name,
+                    amount_in_words(bound.resource, wanted), word(bound.resource), bound.source,
+                    amount_in_words(bound.resource, bound.amount), describe(most),
+                    most.keys.empty() ? "" : "; less with other " + most.keys);
+    // A full disk is no fault of the case.
+    if (bound.resource == Resource::disk && bound.source != limit_option)
+      throw OutputError(refused + "; it cannot be written");
+    throw InputError(refused);
   }
 }
 

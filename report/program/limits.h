@@ -26,7 +26,7 @@ std::vector<Bound> asked_bounds(const std::vector<std::string>& texts);
 std::vector<Bound> machine_bounds(const std::string& folder);
 
 /// Throws InputError that names what is beyond its bound, both figures and the keys to change; `name` is that
-/// of the case.
+/// of the case. OutputError where that is what is free on the disk.
 void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, const std::string& name);
 
 /// The estimate of a case, refused as above before any work on it. `folder` is the output folder. Work that

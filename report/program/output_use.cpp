@@ -60,7 +60,10 @@ void refuse_to_overwrite(const std::string& option, const std::string& file,
   std::error_code ignored;
   const fs::path place = fs::weakly_canonical(fs::absolute(file), ignored);
   const fs::path name = place.lexically_relative(folder);
-  if (!name.empty() && *name.begin() != ".." && belongs_to(FolderContent::results, name.generic_string()))
+  const std::string below = name.generic_string();
+  if (!name.empty() && *name.begin() != ".." &&
+      (belongs_to(FolderContent::results, below) || below == manifest_name || below == "frames" ||
+       below == "figures"))
     throw UsageError(
         fmt::format("{} {}: has the name of a file of the output folder; name another file", option, file));
 }

@@ -310,12 +310,12 @@ TEST_F(PageInBrowser, TablesCanBeSortedAndCopied) {
   open_run();
   chromium().call("Browser.grantPermissions",
                   {{"permissions", {"clipboardReadWrite", "clipboardSanitizedWrite"}}});
-  const std::string head = "document.querySelectorAll('#errors th')[4]";
+  const std::string head = "document.querySelectorAll('#errors th')[6]";
   const auto column = [&] {
     return tab()
         .value_of(
             "[...document.querySelectorAll('#errors tbody tr')].map((row) => "
-            "Number(row.cells[4].textContent))")
+            "Number(row.cells[6].textContent))")
         .get<std::vector<double>>();
   };
   ASSERT_EQ(column().size(), 6U);

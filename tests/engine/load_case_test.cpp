@@ -294,7 +294,7 @@ TEST(LoadCase, TimesOfAReferenceBeyondTheRunAreRemarkedOn) {
   EXPECT_EQ(
       load_case(source).remarks,
       (std::vector<std::string>{
-          "1 of the 3 times of small_reference.toml are beyond the end of the run, 0.5 s, and not used"}));
+          "1 of the 3 times of small_reference.toml are beyond the end of the run, 0.5 s: a criterion is not run unless its coverage says that it claims less"}));
 }
 
 TEST(LoadCase, AFaultInADefaultNamesTheKeyToGive) {

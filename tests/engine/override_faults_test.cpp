@@ -65,7 +65,7 @@ TEST(OverrideFaults, ABadOverrideIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {{"parameters.f=g"}, "--set parameters.f=g: depends on itself: f -> g -> f"},
       {{"title=a\x01"
         "b"},
-       "--set title=a b: the value must be UTF-8 text without control characters"},
+       "--set title=a\\x01b: the value must be UTF-8 text without control characters"},
       {{"time.end=0.25"},
        "case.toml:30:19: time.output_interval = 0.5: must be at most the end time, 0.25 (s)"},
   });

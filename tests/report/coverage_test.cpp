@@ -142,10 +142,11 @@ TEST(Coverage, TooLittleOfARunIsNotRunAndSaysWhy) {
   } examples[] = {
       {"too short",
        {.run = rows({0, 0.1}, [](double t) { return 1 + 90 * t; })},
-       "only 1 of 5 times of the reference can be compared: g has t = 0.5 s not: it is from 0 to 0.1 s"},
+       "only 1 of 5 times of the reference can be compared: g does not have t = 0.5 s: it is from 0 to 0.1 "
+       "s"},
       {"one row",
        {.run = "t,tip.x\n2.0,3.0\n"},
-       "only 1 of 5 times of the reference can be compared: g has t = 0 s not: it is from 2 to 2 s"},
+       "only 1 of 5 times of the reference can be compared: g does not have t = 0 s: it is from 2 to 2 s"},
       {"wrong unit",
        {.run_keys = "units = { t = \"us\" }"},
        "it is from 0 to 2e-06 s, and nothing is extrapolated"},
@@ -169,7 +170,7 @@ TEST(Coverage, TooLittleOfARunIsNotRunAndSaysWhy) {
        "only 4 of 5 times of the reference can be compared: g has no output within 0.1 s of t = 1 s, and "
        "interpolation was not tried as far as 0.2 s"},
       {"pairs of rows", {.run = rows(alternating)}, "g has no output within 0.01 s of t = 0.5 s"},
-      {"starts late", {.run = rows(late)}, "g has t = 0 s not: it is from 0.2 to 2 s"},
+      {"starts late", {.run = rows(late)}, "g does not have t = 0 s: it is from 0.2 to 2 s"},
       {"a motion too fast for its rows",
        {.run = rows(every(0.15, 15), [](double t) { return 1 + t + std::sin(20 * t); })},
        "more than 10 % of the tolerance"},
@@ -258,9 +259,9 @@ TEST(Coverage, OfARunOfPlumbsOwnIsNotLessForAnEarlierEndOrRarerOutputs) {
   early.trajectory.times.pop_back();
   const Verdict short_one = verdicts(early, series_errors(early))[0];
   EXPECT_EQ(short_one.status, VerdictStatus::not_run);
-  EXPECT_NE(
-      short_one.message.find("only 2 of 3 times of the reference can be compared: Plumb has t = 1 s not"),
-      std::string::npos)
+  EXPECT_NE(short_one.message.find(
+                "only 2 of 3 times of the reference can be compared: Plumb does not have t = 1 s"),
+            std::string::npos)
       << short_one.message;
   plumb::Run rare = run;
   for (auto* list : {&rare.trajectory.q, &rare.trajectory.v}) list->erase(list->begin() + 1);
@@ -291,7 +292,7 @@ TEST(DistanceCoverage, IsOfTheTimesOfBothRuns) {
       {"one row",
        {.other = "t,tip.x\n2.0,3.0\n"},
        VerdictStatus::not_run,
-       "only 1 of 17 times of the two runs can be compared: h has t = 0 s not"},
+       "only 1 of 17 times of the two runs can be compared: h does not have t = 0 s"},
       {"a row at either end, 50 m between",
        {.run = rows(every(0.125, 17), bump), .other = rows({0, 2})},
        VerdictStatus::not_run,
@@ -305,7 +306,7 @@ TEST(DistanceCoverage, IsOfTheTimesOfBothRuns) {
       {"longer than what is reported",
        {.other = rows(every(0.125, 25))},
        VerdictStatus::not_run,
-       "only 17 of 25 times of the two runs can be compared: g has t = 2.125 s not"},
+       "only 17 of 25 times of the two runs can be compared: g does not have t = 2.125 s"},
       {"half of it, as is claimed",
        {.other = rows(half), .other_keys = "coverage = { to = 1 }\n"},
        VerdictStatus::passed,

@@ -365,6 +365,14 @@ TEST_F(DiffProgram, MissingAndNewFilesAreDifferences) {
 }
 
 TEST_F(DiffProgram, AcceptReplacesTheBaselineAndSaysSo) {
+  const Ended others = diff({"a", "b", "--accept", "--channel", "0"});
+  EXPECT_EQ(others.status, 0) << "nothing differs";
+  write_text(folder / "b/x.csv", "t,x\n0,3\n");
+  EXPECT_EQ(diff({"a", "b", "--accept"}).status, 5)
+      << "a folder that was not made by accepting is left alone";
+  fs::remove_all(folder / "a");
+  write_text(folder / "b/x.csv", "t,x\n0,1\n");
+  EXPECT_EQ(diff({"a", "b", "--accept"}).status, 0);
   write_text(folder / "b/x.csv", "t,x\n0,2\n");
   EXPECT_EQ(diff({"a", "b"}).status, 1);
   EXPECT_EQ(read_text(folder / "a/x.csv"), "t,x\n0,1\n") << "nothing changes without --accept";

@@ -89,10 +89,10 @@ TEST(Verdict, ReferenceBeyondTheRunIsNotRun) {
   run.loaded.references[0].times = {7, 8, 9};
   const std::vector<Verdict> found = verdicts(run, series_errors(run));
   EXPECT_EQ(found[0].status, VerdictStatus::not_run);
-  EXPECT_EQ(
-      found[0].message,
-      "only 0 of 3 times of the reference can be compared: Plumb has t = 7 s not: it is from 0 to 1 s, and "
-      "nothing is extrapolated");
+  EXPECT_EQ(found[0].message,
+            "only 0 of 3 times of the reference can be compared: Plumb does not have t = 7 s: it is from 0 "
+            "to 1 s, and "
+            "nothing is extrapolated");
 }
 
 TEST(Verdict, DistanceThatIsNotANumberFails) {
