@@ -112,11 +112,10 @@ Covered cover(const Demand& demand, const std::vector<ComparedRun>& runs) {
   // A time so near to 0 that a run has its start for it is the start.
   bool after_start = false;
   for (std::size_t k = 0; k < covered.times.size(); ++k)
-    after_start =
-        after_start || std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) {
-          const std::size_t r = static_cast<std::size_t>(&run - runs.data());
-          return run.sampled.times[covered.rows[r][k]].time > 0;
-        });
+    after_start = after_start || std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) {
+                    const std::size_t r = static_cast<std::size_t>(&run - runs.data());
+                    return run.sampled.times[covered.rows[r][k]].time > 0;
+                  });
   coverage.compared = covered.times.size();
   if (coverage.compared > 0) {
     coverage.first = claimed[covered.times.front()];

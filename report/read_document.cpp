@@ -154,8 +154,8 @@ void check_claims(const Document& document, const std::string& path) {
     if (verdict.status == VerdictStatus::passed &&
         (!within(verdict.value, verdict.limit) ||
          (verdict.coverage && (verdict.coverage->compared == 0 || !verdict.coverage->lacking.empty()))))
-      throw InputError(one_line(fmt::format("{}: the verdict '{}' is passed, which its numbers do not say",
-                                            path, verdict.name)));
+      throw InputError(one_line(
+          fmt::format("{}: the verdict '{}' is passed, which its numbers do not say", path, verdict.name)));
   const bool met = document.at("complete").get<bool>() && !verdicts.empty() && all_passed(verdicts);
   const bool says_accurate = document.at("outcome") == "accurate" ||
                              document.at("headline").get<std::string>().starts_with("Accurate");

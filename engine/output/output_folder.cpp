@@ -90,8 +90,7 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
     const bool inside = survey.folder && (!survey.others.empty() || !has_room_beside(target));
     part_ = std::make_unique<PartFolder>(inside ? path_ : target.parent_path().string(), name);
     // What others put into it stays; what lay in the old folder and was taken away is ours by its sum.
-    part_->own([this](const std::string& file) {
-      const int folder = part_->descriptor();
+    part_->own([this, folder = part_->descriptor()](const std::string& file) {
       const std::string old = file.starts_with("removed/") ? file.substr(8) : file;
       const auto is_as_in = [&](const ListedFiles& list, const std::string& as) {
         const auto listed = list.find(as);
@@ -106,7 +105,9 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
   }
 }
 
-OutputFolder::~OutputFolder() = default;
+OutputFolder::~OutputFolder() {
+  part_.reset();  // before what tells what of it is ours
+}
 
 FolderSurvey OutputFolder::look() const {
   FolderSurvey survey = look_into(path_, use_.content);

@@ -54,8 +54,8 @@ ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& 
   if (options.json) write_to_standard_output(to_json(index));
   ExitStatus worst = ExitStatus::done;
   for (const IndexedReport& report : reports)
-    worst = std::max(worst,
-                     report.document.is_null() ? ExitStatus::solver_failed : status_of(report.document));
+    worst =
+        std::max(worst, report.document.is_null() ? ExitStatus::solver_failed : status_of(report.document));
   return worst;
 }
 

@@ -293,8 +293,8 @@ TEST(LoadCase, TimesOfAReferenceBeyondTheRunAreRemarkedOn) {
   source.overrides = {"time.end=0.5"};
   EXPECT_EQ(
       load_case(source).remarks,
-      (std::vector<std::string>{
-          "1 of the 3 times of small_reference.toml are beyond the end of the run, 0.5 s: a criterion is not run unless its coverage says that it claims less"}));
+      (std::vector<std::string>{"1 of the 3 times of small_reference.toml are beyond the end of the run, 0.5 "
+                                "s: a criterion is not run unless its coverage says that it claims less"}));
 }
 
 TEST(LoadCase, AFaultInADefaultNamesTheKeyToGive) {
