@@ -159,8 +159,8 @@ PartFolder::~PartFolder() {
   try {
     remove_ours(folder_.get(), "",
                 [&](const std::string& name) { return name != mark_name && (!is_ours_ || is_ours_(name)); });
-  } catch (const std::system_error&) {
-    // What cannot be read is not known to be ours, and stays.
+  } catch (const std::exception&) {
+    // What cannot be read, or looked up for want of memory, is not known to be ours, and stays.
   }
   ::unlinkat(folder_.get(), mark_name, 0);
   if (::rmdir(path_.c_str()) != 0 && errno == ENOTEMPTY)
