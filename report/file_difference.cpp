@@ -37,7 +37,8 @@ FileDifference compare_numbers(const std::string& a, const std::string& name_a, 
           {}};
 }
 
-/// The outcome and the status of each verdict, by name, of a results.json and of the reports it lists.
+/// The outcome, and the status, kind and criterion of each verdict, by name, of a results.json and of the
+/// reports it lists.
 using Statuses = std::map<std::string, std::string>;
 
 void add_statuses(const nlohmann::json& json, const std::string& prefix, Statuses& all) {
@@ -56,10 +57,12 @@ void add_statuses(const nlohmann::json& json, const std::string& prefix, Statuse
     if (json.contains(key)) add(prefix + key, text_of(json, key));
   if (const auto verdicts = json.find("verdicts"); verdicts != json.end() && verdicts->is_array())
     for (const auto& verdict : *verdicts)
-      if (verdict.is_object())
-        add(prefix + text_of(verdict, "name"),
-            fmt::format("{} ({}: {})", text_of(verdict, "status"), text_of(verdict, "kind"),
-                        text_of(verdict, "criterion")));
+      if (verdict.is_object()) {
+        const std::string name = prefix + text_of(verdict, "name");
+        add(name, text_of(verdict, "status"));
+        for (const char* key : {"kind", "criterion"})
+          if (verdict.contains(key)) add(fmt::format("{}, {}", name, key), text_of(verdict, key));
+      }
   if (const auto reports = json.find("reports"); reports != json.end() && reports->is_array())
     for (const auto& report : *reports)
       if (report.is_object()) add_statuses(report, prefix + text_of(report, "folder") + ": ", all);

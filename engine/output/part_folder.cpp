@@ -82,20 +82,23 @@ bool holds_an_empty_mark_alone(int folder) {
          ::fstatat(folder, mark_name, &status, AT_SYMLINK_NOFOLLOW) == 0 && status.st_size == 0;
 }
 
-/// Removes the files below an open folder that are ours, and the folders that are empty then.
-void remove_ours(int folder, const std::string& prefix,
+/// Removes the files below an open folder that are ours, and the folders that are empty then. False if one of
+/// them is still there.
+bool remove_ours(int folder, const std::string& prefix,
                  const std::function<bool(const std::string& name)>& is_ours) {
+  bool all = true;
   for (const Entry& entry : entries_of(folder)) {
     const std::string name = prefix + entry.name;
     if (entry.folder) {
       const Descriptor below(
           ::openat(folder, entry.name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-      if (below) remove_ours(below.get(), name + "/", is_ours);
+      all = below && remove_ours(below.get(), name + "/", is_ours) && all;
       ::unlinkat(folder, entry.name.c_str(), AT_REMOVEDIR);
     } else if (entry.file && is_ours(name)) {
-      ::unlinkat(folder, entry.name.c_str(), 0);
+      all = ::unlinkat(folder, entry.name.c_str(), 0) == 0 && all;
     }
   }
+  return all;
 }
 
 /// Empties the folder of a killed program as far as it is ours.
@@ -156,15 +159,21 @@ PartFolder::PartFolder(const std::string& parent, const std::string& name) {
 PartFolder::~PartFolder() {
   if (path_.empty()) return;
   end_unfinished(path_);
-  try {
-    remove_ours(folder_.get(), "",
-                [&](const std::string& name) { return name != mark_name && (!is_ours_ || is_ours_(name)); });
-  } catch (const std::exception&) {
-    // What cannot be read, or looked up for want of memory, is not known to be ours, and stays.
+  constexpr int attempts = 2;  // what failed once, as for want of memory, may have passed
+  for (int k = 0; k < attempts; ++k) {
+    try {
+      const bool emptied = remove_ours(folder_.get(), "", [&](const std::string& name) {
+        return name != mark_name && (!is_ours_ || is_ours_(name));
+      });
+      if (!emptied || (::unlinkat(folder_.get(), mark_name, 0) != 0 && errno != ENOENT)) continue;
+      if (::rmdir(path_.c_str()) == 0) return;
+      // What is left now is not ours, and its owner should see it.
+      if (errno == ENOTEMPTY)
+        ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, visible_.c_str(), RENAME_NOREPLACE);
+    } catch (const std::exception&) {
+      // What cannot be read is not known to be ours: it stays, with the mark, for the next command to clear.
+    }
   }
-  ::unlinkat(folder_.get(), mark_name, 0);
-  if (::rmdir(path_.c_str()) != 0 && errno == ENOTEMPTY)
-    ::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, visible_.c_str(), RENAME_NOREPLACE);
 }
 
 void PartFolder::let_go() {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <system_error>
 #include <vector>
 
 namespace plumb {
@@ -48,7 +49,8 @@ std::optional<std::string> sha256_of(int file, std::uintmax_t size) {
   for (;;) {
     const ssize_t count = ::read(file, part.data(), part.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0 || static_cast<std::uintmax_t>(count) > size) return {};
+    if (count < 0) throw std::system_error(errno, std::generic_category());
+    if (static_cast<std::uintmax_t>(count) > size) return {};
     if (count == 0) return size == 0 ? std::optional(sum.digits()) : std::nullopt;
     sum.add(part.data(), static_cast<std::size_t>(count));
     size -= static_cast<std::uintmax_t>(count);

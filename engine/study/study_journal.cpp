@@ -109,10 +109,10 @@ std::string heading(const std::string& identity) {
   return text_of({{"plumb_study_journal", 2}, {"identity", identity}}) + "\n";
 }
 
-/// Whether it has the whole heading of a journal, of any version, or nothing. One that was cut off within the
-/// heading holds no run, and cannot be told from a file of somebody else.
-bool is_ours(std::string_view text) {
-  if (text.empty()) return true;
+/// Whether it has the whole heading of a journal, of any version, or was cut off within the heading that is
+/// to be written, so that nothing else is in it.
+bool is_ours(std::string_view text, std::string_view own_heading) {
+  if (own_heading.starts_with(text)) return true;
   constexpr std::string_view begin = R"({"identity":")";
   constexpr std::size_t longest = 4096;
   const std::size_t end = text.find('\n');
@@ -143,8 +143,8 @@ void StudyJournal::go_on() {
   if (!S_ISREG(status.st_mode)) fail("it is no file");
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) fail("another study is at work on it");
   const std::string text = read(status.st_size);
-  if (!is_ours(text)) fail("it is there and is no journal of a study");
   const std::string first = heading(identity_);
+  if (!is_ours(text, first)) fail("it is there and is no journal of a study");
   const bool same = text.starts_with(first);
   if (status.st_nlink > 1) fail("it is there under two names, so it is left alone");
   std::size_t end_of_whole = first.size();

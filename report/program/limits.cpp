@@ -16,11 +16,10 @@
 #include "engine/errors.h"
 #include "engine/input/case_source.h"
 #include "engine/input/nearest.h"
+#include "engine/output/file_writing.h"
 
 namespace plumb {
 namespace {
-
-constexpr const char* limit_option = "--limit";
 
 namespace fs = std::filesystem;
 
@@ -134,7 +133,7 @@ void add_disk(const std::string& folder, std::vector<Bound>& bounds) {
   if (::statvfs(there.c_str(), &system) != 0) return;
   bounds.push_back({Resource::disk,
                     static_cast<double>(system.f_bavail) * static_cast<double>(system.f_frsize),
-                    fmt::format("what is free on the disk of {}", folder)});
+                    "what is free on the disk", false, folder});
 }
 
 std::string kept_heaviest;
@@ -158,7 +157,7 @@ std::vector<Bound> asked_bounds(const std::vector<std::string>& texts) {
       for (const Bound& other : bounds)
         if (other.resource == resource)
           refuse_limit(text, fmt::format("{} is limited twice; {}", word(resource), limit_form));
-      bounds.push_back({resource, amount_of(part.substr(equals + 1), resource, text), limit_option});
+      bounds.push_back({resource, amount_of(part.substr(equals + 1), resource, text), "--limit"});
     }
   }
   return bounds;
@@ -180,15 +179,14 @@ void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, c
     // Turned round, so that a number that is none is refused.
     if (wanted <= bound.amount) continue;
     const EstimatedPart most = estimate.parts_of(bound.resource).front();
-    const std::string refused =
-        fmt::format("{}: would take some {} of {}, more than {}, {}; most of it: {}{}", name,
+    const std::string why =
+        fmt::format("would take some {} of {}, more than {}, {}; most of it: {}{}",
                     amount_in_words(bound.resource, wanted), word(bound.resource), bound.source,
                     amount_in_words(bound.resource, bound.amount), describe(most),
                     most.keys.empty() ? "" : "; less with other " + most.keys);
     // A full disk is no fault of the case.
-    if (bound.resource == Resource::disk && bound.source != limit_option)
-      throw OutputError(refused + "; it cannot be written");
-    throw InputError(refused);
+    if (!bound.place.empty()) throw WriteError(bound.place, name + " " + why);
+    throw InputError(name + ": " + why);
   }
 }
 

@@ -16,6 +16,7 @@ struct Bound {
   double amount;               ///< bytes or s
   std::string source;          ///< what sets it: "the memory that is available", "--limit"
   bool address_space = false;  ///< counts what is mapped, used or not
+  std::string place = {};      ///< of what is free on a disk: the folder that is to be written
 };
 
 /// Those of `--limit`: "memory=2GB,disk=10GB,time=1h" each. Throws UsageError.
@@ -26,7 +27,7 @@ std::vector<Bound> asked_bounds(const std::vector<std::string>& texts);
 std::vector<Bound> machine_bounds(const std::string& folder);
 
 /// Throws InputError that names what is beyond its bound, both figures and the keys to change; `name` is that
-/// of the case. OutputError where that is what is free on the disk.
+/// of the case. WriteError where that is what is free on the disk.
 void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, const std::string& name);
 
 /// The estimate of a case, refused as above before any work on it. `folder` is the output folder. Work that
