@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <sstream>
 
@@ -295,6 +296,49 @@ TEST_F(OutputFolderTest, KeepsWhatCameIntoItMeanwhile) {
   EXPECT_NE(said.find("out/run.h5: cannot be written: it was changed"), std::string::npos) << said;
   EXPECT_NE(said.find("what was made is in " + (root_ / "out.new").string()), std::string::npos) << said;
   EXPECT_EQ(text_at(root_ / "out.new/run.h5"), "third");
+}
+
+TEST_F(OutputFolderTest, IsNotPutOverAManifestThatCameOrChangedMeanwhile) {
+  const auto refused = [&](const std::string& what, const std::function<void()>& meanwhile) {
+    std::string said;
+    {
+      OutputFolder folder((root_ / "out").string());
+      folder.write("run.h5", "new");
+      meanwhile();
+      try {
+        folder.commit();
+      } catch (const OutputError& error) {
+        said = error.what();
+      }
+    }
+    EXPECT_NE(said.find("manifest.json"), std::string::npos) << what << ": " << said;
+    EXPECT_EQ(text_at(root_ / "out.new/run.h5"), "new") << what;
+    fs::remove_all(root_ / "out.new");
+  };
+  refused("a file", [&] { put(root_ / "out/manifest.json", "{\"name\":\"my web app\"}"); });
+  EXPECT_EQ(text_at(root_ / "out/manifest.json"), "{\"name\":\"my web app\"}");
+  fs::remove_all(root_ / "out");
+  refused("a folder", [&] { put(root_ / "out/manifest.json/thesis.tex", "precious"); });
+  EXPECT_EQ(text_at(root_ / "out/manifest.json/thesis.tex"), "precious");
+  fs::remove_all(root_ / "out");
+  write(run_);
+  std::string edited;
+  refused("our own, edited", [&] {
+    edited = text_at(root_ / "out/manifest.json") + "\n";
+    put(root_ / "out/manifest.json", edited);
+  });
+  EXPECT_EQ(text_at(root_ / "out/manifest.json"), edited);
+}
+
+TEST_F(OutputFolderTest, LeavesWhatOthersPutIntoItsTemporaryFolder) {
+  {
+    OutputFolder folder((root_ / "out").string());
+    folder.write("run.h5", "unfinished");
+    for (const auto& entry : fs::directory_iterator(root_))
+      if (entry.path().filename().string().starts_with(".out.part-")) put(entry.path() / "mine", "precious");
+  }
+  EXPECT_EQ(text_at(root_ / "out.new/mine"), "precious");
+  EXPECT_FALSE(fs::exists(root_ / "out.new/run.h5"));
 }
 
 TEST_F(OutputFolderTest, BesideOthersNeedsNoManifest) {

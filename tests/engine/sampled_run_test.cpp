@@ -100,6 +100,13 @@ TEST(SampledRun, ARunOfPlumbsOwnIsTriedByItsStates) {
   const std::vector<double>& errors = sampled.errors.find("tip.y")->values;
   EXPECT_EQ(errors[0], 0);
   EXPECT_NEAR(errors[1], h * h * h * h, 1e-12) << "h² · h² of a quartic by cubic Hermite polynomials";
+
+  // Equilibria have no rates, so that nothing tells what lies between two of them.
+  run.loaded.spec.method.name = "statics";
+  const SampledRun equilibria = sample(run.loaded.spec, run.trajectory, {1.0, 1.125});
+  EXPECT_EQ(equilibria.errors.find("tip.y")->values[0], 0);
+  EXPECT_TRUE(std::isnan(equilibria.errors.find("tip.y")->values[1]));
+  EXPECT_TRUE(equilibria.between_is_unknown);
 }
 
 TEST(SampledRun, BearableIsATenthOfTheToleranceAndNoMore) {

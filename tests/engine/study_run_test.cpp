@@ -256,6 +256,12 @@ TEST(StudyJournal, WhatIsNoJournalStaysAsItIs) {
   write_lines(path.string(), {"mine"}, "");
   refused("a text");
   EXPECT_EQ(lines_of(path.string()), std::vector<std::string>{"mine"});
+  for (const char* text :
+       {R"({"identity":"my own diary","x":1})", R"({"identity":"a","plumb_study_journal":"no"})"}) {
+    write_lines(path.string(), {text}, "");
+    refused(text);
+    EXPECT_EQ(lines_of(path.string()), std::vector<std::string>{text});
+  }
   fs::remove(path.string());
   ASSERT_EQ(::mkfifo(path.string().c_str(), 0600), 0);
   refused("a pipe");

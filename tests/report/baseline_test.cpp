@@ -320,6 +320,23 @@ TEST(Regression, AVerdictThatPassesNoLongerIsNamed) {
       << verdict;
 }
 
+TEST(Regression, AVerdictThatClaimsLessThanItDidIsNamed) {
+  const Document before = document_with(0);
+  ASSERT_EQ(before["verdicts"][0]["status"], "passed");
+  const auto value = [&](const std::function<void(Document&)>& change) {
+    Document document = before;
+    change(document["verdicts"][0]);
+    hold_against_baseline(document, before, "first", default_regression_share);
+    return verdict_named(document, "baseline: verdicts").at("value").get<double>();
+  };
+  EXPECT_EQ(value([](Document&) {}), 0);
+  EXPECT_EQ(value([](Document& v) { v["criterion"] = "rms of something else"; }), 1);
+  EXPECT_EQ(value([](Document& v) { v["limit"] = v["limit"].get<double>() * 2; }), 1);
+  EXPECT_EQ(value([](Document& v) { v["coverage"]["demanded"] = v["coverage"]["demanded"].get<long>() - 1; }),
+            1);
+  EXPECT_EQ(value([](Document& v) { v["coverage"]["allowance"] = "no more than to 1 s"; }), 1);
+}
+
 class Baseline : public ::testing::Test {
  protected:
   Ended run(const std::string& into, const std::vector<std::string>& more = {}) {

@@ -113,6 +113,17 @@ TEST_F(FromDocument, ClaimingMoreThanItsVerdictsIsRefused) {
   document["verdicts"][0]["status"] = "passed";
   document["complete"] = false;
   EXPECT_NE(refusal(document).find("which its verdicts do not"), std::string::npos);
+  document["complete"] = true;
+  for (const double value : {1e9, -1.0}) {
+    document["verdicts"][0]["value"] = value;
+    EXPECT_NE(refusal(document).find("is passed, which its numbers do not say"), std::string::npos) << value;
+  }
+  for (const bool met : {true, false}) {
+    document["verdicts"] = Document::array();
+    document["all_criteria_met"] = met;
+    document["headline"] = met ? "Completed." : "Accurate. All criteria are met.";
+    EXPECT_NE(refusal(document).find("which its verdicts do not"), std::string::npos) << met;
+  }
 }
 
 TEST_F(FromDocument, AnyValueThatWasChangedIsReadOrRefusedInWords) {

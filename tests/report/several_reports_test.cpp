@@ -62,6 +62,20 @@ TEST_F(SeveralReports, FailureIsFirstInTheIndex) {
   EXPECT_NE(index.at("headline").get<std::string>().find("z"), std::string::npos);
 }
 
+TEST_F(SeveralReports, ARunWithoutAReportIsNotTakenForAnEarlierOne) {
+  plumb({"run", "one.toml", "two.toml", "-o", "all"});
+  ASSERT_TRUE(fs::exists(folder_ / "all/one/results.json"));
+  // A start that is not finite.
+  const Ended ended = plumb({"run", "one.toml", "two.toml", "-o", "all", "--set", "cable.length=1e200",
+                             "--set", "start.angular_velocity=[0,1e308,1e308]"});
+  EXPECT_EQ(ended.status, 4) << ended.err;
+  const Json index = results("all/results.json");
+  ASSERT_EQ(index.at("reports").size(), 2U);
+  for (const Json& report : index.at("reports")) EXPECT_EQ(report.at("headline"), "The run left no report.");
+  EXPECT_FALSE(index.at("all_criteria_met"));
+  EXPECT_NE(read_text(folder_ / "all/junit.xml").find("the run left no report"), std::string::npos);
+}
+
 TEST_F(SeveralReports, NothingIsRunWhereOneCaseIsWrong) {
   write_text(folder_ / "wrong.toml", "title = 3");
   const Ended ended = plumb({"run", "one.toml", "wrong.toml", "-o", "all"});
