@@ -24,6 +24,8 @@ std::string obstacle(const ComparedRun& run, std::size_t row, double t, const De
   const double error = errors->values[row];
   if (bearable(error, demand.tolerance)) return "";
   const KnownTime& at = run.sampled.times[row];
+  if (run.sampled.between_is_unknown)
+    return fmt::format("{} has no output at t = {:.4g} s, and equilibria are not interpolated", run.name, t);
   const double tried = tried_distance(run.outputs, at);
   if (tried == 0)
     return fmt::format(
@@ -107,6 +109,14 @@ Covered cover(const Demand& demand, const std::vector<ComparedRun>& runs) {
     coverage.interpolated += interpolated;
     coverage.interpolation_error = std::max(coverage.interpolation_error, error);
   }
+  // A time so near to 0 that a run has its start for it is the start.
+  bool after_start = false;
+  for (std::size_t k = 0; k < covered.times.size(); ++k)
+    after_start =
+        after_start || std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) {
+          const std::size_t r = static_cast<std::size_t>(&run - runs.data());
+          return run.sampled.times[covered.rows[r][k]].time > 0;
+        });
   coverage.compared = covered.times.size();
   if (coverage.compared > 0) {
     coverage.first = claimed[covered.times.front()];
@@ -124,7 +134,7 @@ Covered cover(const Demand& demand, const std::vector<ComparedRun>& runs) {
   else if (static_cast<double>(coverage.compared) < least)
     coverage.lacking = fmt::format("only {} of {} times of {} can be compared{}", coverage.compared,
                                    coverage.demanded, demand.of, why);
-  else if (!(coverage.last > 0))
+  else if (!after_start)
     coverage.lacking = fmt::format("no time of {} after t = 0 can be compared{}", demand.of, why);
   if (!coverage.lacking.empty() && coverage.share < 1)
     coverage.lacking += fmt::format(" ({})", coverage.allowance);

@@ -24,6 +24,11 @@ Document read_document(const std::string& path);
 /// The verdicts of a document, in its order.
 std::vector<Verdict> verdicts_of(const Document& document);
 
+/// Throws InputError, which names `path`, where a document that was changed says more than its verdicts do: that
+/// one is passed whose value is not within its limit or that was judged over too little, that all criteria are
+/// met or the run is accurate where they are not or there is none.
+void check_claims(const Document& document, const std::string& path);
+
 /// What was drawn, with the pictures' bytes read from `folder`. Throws InputError where one is missing, is no
 /// PNG file, or is not in that folder.
 Pictures pictures_of(const Document& document, const std::string& folder);

@@ -56,7 +56,10 @@ void add_statuses(const nlohmann::json& json, const std::string& prefix, Statuse
     if (json.contains(key)) add(prefix + key, text_of(json, key));
   if (const auto verdicts = json.find("verdicts"); verdicts != json.end() && verdicts->is_array())
     for (const auto& verdict : *verdicts)
-      if (verdict.is_object()) add(prefix + text_of(verdict, "name"), text_of(verdict, "status"));
+      if (verdict.is_object())
+        add(prefix + text_of(verdict, "name"),
+            fmt::format("{} ({}: {})", text_of(verdict, "status"), text_of(verdict, "kind"),
+                        text_of(verdict, "criterion")));
   if (const auto reports = json.find("reports"); reports != json.end() && reports->is_array())
     for (const auto& report : *reports)
       if (report.is_object()) add_statuses(report, prefix + text_of(report, "folder") + ": ", all);

@@ -76,7 +76,14 @@ Verdict nothing_compared() {
 
 /// Whether a criterion allows no more than it did.
 bool as_strict(const Verdict& old, const Verdict& now) {
-  return now.kind == old.kind && now.unit == old.unit && now.limit <= old.limit;
+  const auto claims_as_much = [&] {
+    return old.coverage && now.coverage && now.coverage->demanded >= old.coverage->demanded &&
+           now.coverage->allowance == old.coverage->allowance;
+  };
+  // The norm stands in the words of the criterion alone, behind the limit where that was tightened.
+  const bool same_norm = now.limit < old.limit || now.criterion == old.criterion;
+  return now.kind == old.kind && now.unit == old.unit && now.limit <= old.limit && same_norm &&
+         (!old.coverage || claims_as_much());
 }
 
 /// What passed before passes still, by the same limit; nothing where none passed.

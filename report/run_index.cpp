@@ -21,7 +21,26 @@ long count(const Document& verdicts, const char* status) {
                        [&](const Document& verdict) { return verdict.at("status") == status; });
 }
 
+/// A run that ended before there was anything to report.
+Document entry_without_report(const std::string& folder) {
+  return {{"folder", folder},
+          {"case", ""},
+          {"title", folder},
+          {"headline", "The run left no report."},
+          {"outcome", "not run"},
+          {"complete", false},
+          {"all_criteria_met", false},
+          {"criteria", 0},
+          {"failed", 0},
+          {"not_run", 0},
+          {"method", ""},
+          {"elements", -1},
+          {"solve_seconds", -1},
+          {"verdicts", Document::array()}};
+}
+
 Document entry(const IndexedReport& report) {
+  if (report.document.is_null()) return entry_without_report(report.folder);
   const Document &document = report.document, &solve = document.at("solve");
   const long failed = count(document.at("verdicts"), "failed"),
              not_run = count(document.at("verdicts"), "not run");
@@ -71,18 +90,21 @@ std::string headline(const Document& entries) {
 std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
   // Columns in the order of the first report that has them, with their unit.
   std::vector<std::pair<std::string, std::string>> columns;
-  for (const IndexedReport& report : reports)
+  for (const IndexedReport& report : reports) {
+    if (report.document.is_null()) continue;
     for (const auto& [name, probe] : report.document.at("probes").items()) {
       const std::pair column(name, text(probe, "unit"));
       if (name != "t" && std::find(columns.begin(), columns.end(), column) == columns.end())
         columns.push_back(column);
     }
+  }
   std::vector<Figure> figures;
   for (const auto& [name, unit] : columns) {
     Panel panel;
     panel.x.label = "time [s]";
     panel.y.label = fmt::format("{} [{}]", name, unit);
     for (const IndexedReport& report : reports) {
+      if (report.document.is_null()) continue;
       const Document& probes = report.document.at("probes");
       if (!probes.contains(name) || probes[name].at("unit") != unit) continue;
       Series series;
@@ -133,11 +155,17 @@ Document index_of(const std::vector<IndexedReport>& reports, const std::vector<P
 
 std::string index_junit(const std::vector<IndexedReport>& reports) {
   std::vector<JunitSuite> all;
-  for (const IndexedReport& report : reports)
+  for (const IndexedReport& report : reports) {
+    if (report.document.is_null()) {
+      all.push_back({report.folder + ".integration",
+                     {{"integration", VerdictStatus::failed, "the run left no report"}}});
+      continue;
+    }
     for (JunitSuite& suite : suites_of(report.document)) {
       suite.name = fmt::format("{}.{}", report.folder, suite.name);
       all.push_back(std::move(suite));
     }
+  }
   return junit_xml("Plumb", all);
 }
 

@@ -10,7 +10,7 @@ namespace plumb {
 /// A report among several: where it lies, seen from the index, and what it says.
 struct IndexedReport {
   std::string folder;  ///< "pendulum"
-  Document document;
+  Document document;  ///< null for a run that left none
 };
 
 /// Figures of the columns of probes that two or more reports have in one unit, over time, one line a report;

@@ -46,7 +46,7 @@ std::string to_json(const VariantsResults& results) {
   json["schema_version"] = results_version;
   json["title"] = results.study.result.title;
   json["headline"] = headline(results);
-  json["all_criteria_met"] = all_passed(results.verdicts);
+  json["all_criteria_met"] = !results.verdicts.empty() && all_passed(results.verdicts);
   json["verdicts"] = Json::array();
   for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));
   json["variants"] = Json::array();

@@ -17,10 +17,10 @@ double smaller_gap_about(const std::vector<double>& outputs, std::size_t k) {
 }
 
 /// Of the times of a run as it writes them: 0.3 s and 300 ms are the same time, but not the same number.
-/// Never as much as a part of a gap, however far away the last output is.
+/// Never as much as a part of a gap, and of the time itself, however far away the last output is.
 double rounding_at(const std::vector<double>& outputs, std::size_t k) {
-  const double longest = std::max(std::abs(outputs.front()), std::abs(outputs.back()));
-  return std::min(1e-9 * longest, 1e-3 * smaller_gap_about(outputs, k));
+  const double gap = smaller_gap_about(outputs, k);
+  return std::min(1e-9 * std::max(std::abs(outputs[k]), std::isfinite(gap) ? gap : 0), 1e-3 * gap);
 }
 
 }  // namespace

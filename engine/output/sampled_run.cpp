@@ -63,10 +63,17 @@ SampledRun sample(const Source& source, const std::vector<double>& times) {
 }  // namespace
 
 SampledRun sample(const Case& spec, const Trajectory& trajectory, const std::vector<double>& times) {
-  return sample(
+  SampledRun sampled = sample(
       {trajectory.times, [&](const std::vector<double>& at) { return probe(spec, trajectory, at); },
        [&](const std::vector<std::size_t>& outputs) { return probe_without(spec, trajectory, outputs); }},
       times);
+  // They have no rates, and so a polynomial through them would have a shape of its own.
+  sampled.between_is_unknown = spec.method.name == "statics";
+  if (sampled.between_is_unknown)
+    for (Column& column : sampled.errors.columns)
+      for (std::size_t k = 0; k < column.values.size(); ++k)
+        if (!sampled.times[k].output) column.values[k] = std::numeric_limits<double>::quiet_NaN();
+  return sampled;
 }
 
 SampledRun sample(const GivenRun& given, const std::vector<double>& times) {

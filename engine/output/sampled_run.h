@@ -17,6 +17,8 @@ struct SampledRun {
   /// that it is more than the error itself where the motion is smooth. Not a number where it cannot be told:
   /// with fewer than `fewest_outputs`, and farther from an output than the `tried_distance`.
   ProbeTable errors;
+  /// Outputs are equilibria, between which nothing is known: the errors there are not numbers.
+  bool between_is_unknown = false;
 };
 
 /// Samples a run of Plumb's own at times (s).

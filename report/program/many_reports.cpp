@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <glob.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "engine/errors.h"
 #include "engine/output/file_writing.h"
@@ -51,8 +53,17 @@ ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& 
   talk.line("index: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(index));
   ExitStatus worst = ExitStatus::done;
-  for (const IndexedReport& report : reports) worst = std::max(worst, status_of(report.document));
+  for (const IndexedReport& report : reports)
+    worst = std::max(worst,
+                     report.document.is_null() ? ExitStatus::solver_failed : status_of(report.document));
   return worst;
+}
+
+/// Tells the results.json in a folder from any that takes its place; nothing where there is none.
+std::optional<ino_t> file_number(const std::string& folder) {
+  struct stat status {};
+  if (::stat((fs::path(folder) / "results.json").c_str(), &status) != 0) return {};
+  return status.st_ino;
 }
 
 /// Options for one of several cases, which says nothing on standard output.
@@ -106,10 +117,11 @@ ExitStatus run_many(const std::vector<std::string>& cases, const Options& option
   for (const std::string& path : cases) {
     const std::string name = fs::path(path).stem().string();
     const std::string own = (fs::path(folder) / name).string();
+    const std::optional<ino_t> before = file_number(own);
     worst = std::max(worst, run_one(for_one(options, path, own), talk));
-    // A start that is not finite leaves no report.
-    std::error_code ignored;
-    if (fs::exists(fs::path(own) / "results.json", ignored)) reports.push_back({name, find_document(own)});
+    // A start that is not finite leaves no report, and one of an earlier run says nothing of this one.
+    const bool made = file_number(own).has_value() && file_number(own) != before;
+    reports.push_back({name, made ? find_document(own) : Document()});
   }
   return std::max(worst, write_index(reports, index, options, talk));
 }
@@ -124,7 +136,9 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
         fs::is_regular_file(path, ignored) ? fs::absolute(path).parent_path() : fs::path(path);
     const fs::path seen =
         fs::absolute(own).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
-    reports.push_back({seen.generic_string(), find_document((own / "results.json").string())});
+    const std::string file = (own / "results.json").string();
+    reports.push_back({seen.generic_string(), find_document(file)});
+    check_claims(reports.back().document, file);
     use.reads.push_back((own / "results.json").string());
   }
   OutputFolder index(folder, use);
