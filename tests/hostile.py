@@ -490,30 +490,25 @@ def run_trial(t, program, memory, patience):
     ended = Ended()
     before = files_of_others(t.folder)
     stdout = open("/dev/full", "wb") if t.stdout == "full" else subprocess.DEVNULL
-    errors_file = tempfile.TemporaryFile()
     command = [program, *t.command] + (["--quiet"] if t.command and not t.command[0].startswith("-") else [])
     begin = time.monotonic()
     child = subprocess.Popen([os.fsencode(word) if isinstance(word, str) else word for word in command], cwd=t.folder, stdin=subprocess.DEVNULL,
-                             stdout=stdout, stderr=errors_file, preexec_fn=prepare, env={**os.environ, **t.environment})
+                             stdout=stdout, stderr=subprocess.PIPE, preexec_fn=prepare, env={**os.environ, **t.environment})
     try:
-        child.wait(t.interrupt_after or patience)
+        raw = child.communicate(timeout=t.interrupt_after or patience)[1]
     except subprocess.TimeoutExpired:
-        if t.interrupt_after:
-            os.kill(child.pid, signal.SIGINT)
+        os.kill(child.pid, signal.SIGINT if t.interrupt_after else signal.SIGKILL)
         try:
-            if not t.interrupt_after:
-                raise subprocess.TimeoutExpired(command, patience)
-            child.wait(patience)
+            raw = child.communicate(timeout=patience)[1]
+            ended.killed = not t.interrupt_after
         except subprocess.TimeoutExpired:
             os.killpg(child.pid, signal.SIGKILL)
-            child.wait()
+            raw = child.communicate()[1]
             ended.killed = True
     ended.seconds = time.monotonic() - begin
-    errors_file.seek(0)
-    raw = errors_file.read()
-    errors_file.close()
     ended.text = raw.decode("utf-8", "replace")
-    ended.lines = raw.count(b"\n")
+    # A library of the system says so itself where it runs out of files.
+    ended.lines = sum(1 for line in raw.splitlines() if not line.startswith((b"libEGL warning", b"MESA")))
     if child.returncode < 0:
         ended.signal = -child.returncode
     else:
@@ -523,6 +518,8 @@ def run_trial(t, program, memory, patience):
         ended.faults.append("does not end")
     elif ended.signal:
         ended.faults.append(f"ends by signal {ended.signal}")
+    elif ended.status == 127 and "error while loading shared libraries" in ended.text:
+        pass  # before the program itself begins
     elif ended.status not in DOCUMENTED:
         ended.faults.append(f"ends in status {ended.status}")
     elif ended.status >= 2 and ended.lines != 1 and t.stdout != "closed":

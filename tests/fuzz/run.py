@@ -6,13 +6,12 @@
 SECONDS is for all targets together, shared out evenly. Each starts from tests/fuzz/corpus/TARGET, from what the program's
 own writers make, and from what earlier runs found (build/fuzz/corpus/TARGET, where this one puts what it finds too), and
 stops at its first crash. Prints a table of executions, new coverage and crashes; exit status 1 where there is a crash,
-with the path of the input. build/fuzz/executions.json adds up what all runs have executed.
+with the path of the input. build/fuzz/executions/TARGET adds up what all runs have executed.
 
 --merge puts what is needed of the found inputs for the same coverage, as far as they are short, into tests/fuzz/corpus.
 """
 
 import argparse
-import json
 import os
 import re
 import subprocess
@@ -89,21 +88,25 @@ def main():
     names = [arguments.only] if arguments.only else names
     subprocess.run([program, f"--seeds={PLACE / 'seeds'}"], check=True, env=ENVIRONMENT)
     each = max(1, arguments.seconds // len(names))
-    total_file = PLACE / "executions.json"
-    totals = json.loads(total_file.read_text()) if total_file.exists() else {}
+    counts = PLACE / "executions"
+    counts.mkdir(exist_ok=True)
+    total = 0
 
     print(f"{'target':16}{'executions':>12}{'in all runs':>13}{'coverage':>10}{'new':>7}{'crashes':>9}", flush=True)
     crashes = []
     for name in names:
         executed, before, after, crash = fuzz(program, name, each)
-        totals[name] = totals.get(name, 0) + executed
-        total_file.write_text(json.dumps(totals, indent=1) + "\n")
-        print(f"{name:16}{executed:12,}{totals[name]:13,}{after:10,}{after - before:7,}{1 if crash else 0:9}", flush=True)
+        count = counts / name
+        in_all = executed + (int(count.read_text()) if count.exists() else 0)
+        count.write_text(f"{in_all}\n")
+        total += executed
+        print(f"{name:16}{executed:12,}{in_all:13,}{after:10,}{after - before:7,}{1 if crash else 0:9}", flush=True)
         if crash:
             crashes.append((name, crash))
         if arguments.merge:
             merge(program, name)
-    print(f"{'all':16}{'':12}{sum(totals.values()):13,}")
+    in_all = sum(int(count.read_text()) for count in counts.iterdir())
+    print(f"{'all':16}{total:12,}{in_all:13,}")
     for name, crash in crashes:
         print(f"{name}: {crash['why']}{' (within libhdf5)' if crash['library'] else ''}: {crash['input']}")
     return 1 if any(not crash["library"] for _, crash in crashes) else 0
