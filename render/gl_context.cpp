@@ -76,6 +76,8 @@ GlContext::GlContext(const GlBackendChoice& choice) {
   draw_with_threads_there_are();
   // The driver would leave a cache of compiled shaders in the home folder.
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+  // What fails is said by the error alone.
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);
   backend_ = make_gl_backend(choice);
   make_current();
 

@@ -32,7 +32,7 @@ void accept(const fs::path& a, const fs::path& b, Talk& talk) {
         folder.write(entry.path().lexically_relative(b).generic_string(),
                      read_whole_file(entry.path().string()));
   } catch (const fs::filesystem_error& error) {
-    throw InputError(one_line(error.what()));
+    throw InputError(one_line(fmt::format("{}: {}", error.path1().string(), reason(error))));
   }
   folder.commit();
 }
