@@ -12,17 +12,19 @@ cd "$(dirname "$0")"
 
 preset=${PLUMB_PRESET:-release}
 
+# Installs what is missing of the packages of the program, or with "tests" those of its tests too.
 install_missing_packages() {
   if ! command -v dpkg-query >/dev/null; then
     echo "make.sh: this is no Debian system; the packages of packages.txt are taken to be there" >&2
     return
   fi
-  local missing=() package
+  local missing=() package last='/^\[tests\]/'
+  if [ "${1:-}" = tests ]; then last=''; fi
   while read -r package; do
     if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
       missing+=("$package")
     fi
-  done < <(sed 's/#.*//' packages.txt | awk 'NF { print $1 }')
+  done < <(sed -e 's/#.*//' ${last:+-e "$last,\$d"} -e '/^\[/d' packages.txt | awk 'NF { print $1 }')
   if [ ${#missing[@]} -eq 0 ]; then return; fi
 
   local as_root=()
@@ -47,27 +49,45 @@ install_missing_packages() {
   fi
 }
 
-# Builds the targets that are named, or everything.
-build() {
+# As many compilers at once as there are processors, and 1.5 GB of memory for each.
+parallel_jobs() {
+  local processors memory
+  processors=$(nproc)
+  memory=$(awk '/^MemAvailable/ { print int($2 / 1500000) }' /proc/meminfo 2>/dev/null || echo "$processors")
+  if [ "$memory" -lt "$processors" ]; then processors=$memory; fi
+  if [ "$processors" -lt 1 ]; then processors=1; fi
+  echo "$processors"
+}
+
+# Builds the program alone.
+build_program() {
   install_missing_packages
-  cmake --preset "$preset"
-  cmake --build --preset "$preset" ${1+--target "$@"}
+  # A build that has the tests keeps them.
+  if [ -e "build/$preset/CMakeCache.txt" ]; then cmake --preset "$preset"; else cmake --preset "$preset" -DPLUMB_TESTS=OFF; fi
+  cmake --build --preset "$preset" -j "$(parallel_jobs)" --target plumb
+}
+
+# Builds the targets that are named, or everything with all tests.
+build_with_tests() {
+  install_missing_packages tests
+  cmake --preset "$preset" -DPLUMB_TESTS=ON
+  cmake --build --preset "$preset" -j "$(parallel_jobs)" ${1+--target "$@"}
 }
 
 case ${1:-} in
   report)
-    build plumb
+    build_program
     "build/$preset/plumb" run cases/pendulum.toml
     ;;
   test)
-    build
+    build_with_tests
     ctest --preset "$preset" -j "$(nproc)"
     ;;
   build)
-    build plumb
+    build_program
     ;;
   bench)
-    build plumb plumb_bench
+    build_with_tests plumb plumb_bench
     "build/$preset/tests/plumb_bench" --benchmark_min_time=0.2 --benchmark_counters_tabular=true "${@:2}"
     # The yardstick for frames_to_disk, in the same run; for those who have it.
     if python3 -c 'import matplotlib' 2>/dev/null; then
@@ -78,7 +98,7 @@ case ${1:-} in
     fi
     ;;
   gallery)
-    build plumb
+    build_program
     tests/gallery.sh "build/$preset/plumb" output/gallery
     ;;
   fuzz)
@@ -87,7 +107,7 @@ case ${1:-} in
     tests/fuzz/run.py build/fuzz/tests/fuzz/plumb_fuzz "${2:-150}" "${@:3}"
     ;;
   builds)
-    install_missing_packages
+    install_missing_packages tests
     tests/builds.sh
     ;;
   *)
