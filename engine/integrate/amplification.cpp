@@ -1,6 +1,5 @@
 #include "engine/integrate/amplification.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "engine/integrate/gauss_table.h"
 #include "engine/integrate/nystrom_pair.h"
 #include "engine/integrate/structural_schemes.h"
+#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 namespace {
@@ -22,7 +22,7 @@ using Complex = std::complex<double>;
 // Time is counted in steps here: h = 1 and ω = z. Maps of a step act on (z q, v), so that a vibration is a
 // circle.
 
-double spectral_radius(const Eigen::Matrix2d& map) {
+double radius_of_pair(const Eigen::Matrix2d& map) {
   const double half_trace = 0.5 * map.trace(), half_difference = 0.5 * (map(0, 0) - map(1, 1));
   const double discriminant = half_difference * half_difference + map(0, 1) * map(1, 0);
   if (discriminant < 0) return std::sqrt(map.determinant());
@@ -111,7 +111,7 @@ double structural_amplification(const StructuralScheme& s, double z) {
                      (s.mass_new + z * z * s.force_new * s.point * s.position_new);
     map.col(column) << z * (known + s.position_new * x), v + s.velocity_old * a + s.velocity_new * x, x / z;
   }
-  return Eigen::EigenSolver<Eigen::Matrix3d>(map, false).eigenvalues().cwiseAbs().maxCoeff();
+  return spectral_radius(map);
 }
 
 /// Of the roots ζ of (1 − iz reach) ζᵏ = Σ oldⱼ ζᵏ⁻¹⁻ʲ.
@@ -123,7 +123,7 @@ double backward_differentiation_amplification(int order, double z) {
   for (int j = 0; j < order; ++j)
     companion(0, j) = formula.old[static_cast<std::size_t>(j)] / Complex(1, -z * formula.reach);
   for (int i = 1; i < order; ++i) companion(i, i - 1) = 1;
-  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues().cwiseAbs().maxCoeff();
+  return spectral_radius(companion);
 }
 
 }  // namespace
@@ -134,11 +134,11 @@ std::optional<double> amplification(const MethodSpec& method, double z) {
   // As z goes to 0 the largest root of every method that converges goes to 1; 0 itself has no scale.
   if (z == 0) z = std::numeric_limits<double>::min();
   const auto order = [&] { return static_cast<int>(method.parameters.at("order")); };
-  if (method.name == "velocity-verlet") return spectral_radius(verlet_map(z));
+  if (method.name == "velocity-verlet") return radius_of_pair(verlet_map(z));
   if (method.name == "rk4") return rk4_amplification(z);
-  if (method.name == "runge-kutta-nystrom") return spectral_radius(nystrom_map(z));
+  if (method.name == "runge-kutta-nystrom") return radius_of_pair(nystrom_map(z));
   if (method.name == "arkode-erk") return runge_kutta_amplification(explicit_table(order()), z);
-  if (method.name == "linearly-implicit-euler") return spectral_radius(linearly_implicit_euler_map(z));
+  if (method.name == "linearly-implicit-euler") return radius_of_pair(linearly_implicit_euler_map(z));
   if (method.name == "arkode-dirk") return runge_kutta_amplification(implicit_table(order()), z);
   if (method.name == "gauss") {
     const GaussTable table;

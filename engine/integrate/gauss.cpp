@@ -1,4 +1,4 @@
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -9,6 +9,7 @@
 #include "engine/integrate/one_step_method.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
+#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 namespace {
@@ -39,10 +40,10 @@ struct Tableau {
     const Eigen::Matrix3d& A = table.A;
     position = A * A;
     end_position = A.transpose() * b;
-    const Eigen::EigenSolver<Eigen::Matrix3d> eigen(A);
-    const Eigen::Matrix3cd columns = eigen.eigenvectors(), rows = columns.inverse();
+    const auto [values, columns] = eigenvectors(A);
+    const Eigen::Matrix3cd rows = columns.inverse();
     for (int i = 0; i < stages; ++i) {
-      const Complex lambda = eigen.eigenvalues()[i];
+      const Complex lambda = values[i];
       if (lambda.imag() == 0) {
         real_square = lambda.real() * lambda.real();
         real_column = columns.col(i).real();
