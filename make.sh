@@ -6,25 +6,28 @@
 #   ./make.sh bench    measures the kernels, one step of each method, and frames
 #   ./make.sh gallery  draws every kind of frame and figure onto one page, output/gallery/index.html
 #   ./make.sh fuzz S   runs every fuzz target for S seconds in all and ends with a table (clang; tests/fuzz)
+#   ./make.sh deb      makes Debian packages, build/deb: the program, and its engine for C++ programs
 #   ./make.sh builds   builds with gcc and clang, optimised and not, and compares what they draw (many minutes)
 set -euo pipefail
 cd "$(dirname "$0")"
 
 preset=${PLUMB_PRESET:-release}
 
-# Installs what is missing of the packages of the program, or with "tests" those of its tests too.
+# Installs what is missing of the packages of the program, and of those of the sections that are named.
 install_missing_packages() {
   if ! command -v dpkg-query >/dev/null; then
     echo "make.sh: this is no Debian system; the packages of packages.txt are taken to be there" >&2
     return
   fi
-  local missing=() package last='/^\[tests\]/'
-  if [ "${1:-}" = tests ]; then last=''; fi
+  local missing=() package
   while read -r package; do
     if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
       missing+=("$package")
     fi
-  done < <(sed -e 's/#.*//' ${last:+-e "$last,\$d"} -e '/^\[/d' packages.txt | awk 'NF { print $1 }')
+  done < <(awk -v wanted=" $* " '
+    { sub(/#.*/, "") }
+    /^\[/ { gsub(/[][]/, ""); skip = !index(wanted, " " $1 " "); next }
+    NF && !skip { print $1 }' packages.txt)
   if [ ${#missing[@]} -eq 0 ]; then return; fi
 
   local as_root=()
@@ -59,12 +62,12 @@ parallel_jobs() {
   echo "$processors"
 }
 
-# Builds the program alone.
+# Builds the program alone, or the targets that are named.
 build_program() {
   install_missing_packages
   # A build that has the tests keeps them.
   if [ -e "build/$preset/CMakeCache.txt" ]; then cmake --preset "$preset"; else cmake --preset "$preset" -DPLUMB_TESTS=OFF; fi
-  cmake --build --preset "$preset" -j "$(parallel_jobs)" --target plumb
+  cmake --build --preset "$preset" -j "$(parallel_jobs)" --target "${@:-plumb}"
 }
 
 # Builds the targets that are named, or everything with all tests.
@@ -102,16 +105,24 @@ case ${1:-} in
     tests/gallery.sh "build/$preset/plumb" output/gallery
     ;;
   fuzz)
-    build plumb
-    preset=fuzz build
+    build_with_tests plumb
+    preset=fuzz build_with_tests plumb_fuzz
     tests/fuzz/run.py build/fuzz/tests/fuzz/plumb_fuzz "${2:-150}" "${@:3}"
+    ;;
+  deb)
+    install_missing_packages deb
+    build_program plumb plumb_texts
+    rm -rf build/deb
+    cpack --config "build/$preset/CPackConfig.cmake" -B build/deb
+    lintian --fail-on error build/deb/*.deb
+    ls -sh build/deb/*.deb
     ;;
   builds)
     install_missing_packages tests
     tests/builds.sh
     ;;
   *)
-    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build, bench, gallery, fuzz and builds" >&2; fi
+    if [ $# -gt 0 ]; then echo "make.sh: '$1' is none of report, test, build, bench, gallery, fuzz, deb and builds" >&2; fi
     sed -n '2,/^set/ { /^#/ s/^# \{0,1\}//p }' "$0" >&2
     exit 2
     ;;

@@ -20,7 +20,9 @@
 #include "engine/message.h"
 #include "engine/output/file_writing.h"
 #include "render/environment.h"
+#include "report/program/installed_cases.h"
 #include "report/program/limits.h"
+#include "report/program/manual.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/stages.h"
@@ -236,6 +238,25 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
       option->check(CLI::Validator(refuse_empty, ""));
 }
 
+/// What packages and shells ask the program for: its texts end it as --version does.
+void add_texts(CLI::App& app) {
+  const auto say = [&](const std::string& text) { throw CLI::CallForVersion(text, 0); };
+  app.add_flag_callback(
+      "--cases",
+      [=] {
+        std::string names;
+        for (const std::string& name : installed_cases()) names += (names.empty() ? "" : "\n") + name;
+        say(names);
+      },
+      "the names of the cases that came with the program");
+  app.add_flag_callback(
+      "--manual", [=, &app] { say(manual_page(app)); }, "the manual page, in roff");
+  app.add_option_function<std::string>(
+         "--completion", [=, &app](const std::string& shell) { say(completion(app, shell)); },
+         "what completes command lines in a shell: bash, zsh or fish")
+      ->type_name("SHELL");
+}
+
 /// Options that go with no other, or not with this verb.
 void check_together(const Verb& verb, const Options& options) {
   if (options.json && options.csv == "-")
@@ -269,6 +290,7 @@ Command parse_command(int count, const char* const* arguments) {
   if (count < 2) throw UsageError("a verb is missing (see plumb --help)");
   app.require_subcommand(1);
   app.set_version_flag("--version", "Plumb " PLUMB_VERSION);
+  add_texts(app);
   Command command;
   Options& options = command.options;
   for (const Verb& verb : verbs()) add_verb(verb, app, options);
@@ -294,12 +316,16 @@ Command parse_command(int count, const char* const* arguments) {
 namespace {
 
 int parse_and_act(int count, const char* const* arguments) {
-  const Command command = parse_command(count, arguments);
+  Command command = parse_command(count, arguments);
   if (command.verb == nullptr) {
     std::fputs(command.said.c_str(), stdout);
     return static_cast<int>(ExitStatus::done);
   }
-  const Options& options = command.options;
+  Options& options = command.options;
+  if (command.verb->input == "CASE") {
+    options.input = case_named(options.input);
+    for (std::string& input : options.inputs) input = case_named(input);
+  }
   Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
   heed_environment(*command.verb, talk);
   return static_cast<int>(command.verb->act(options, talk));
