@@ -6,8 +6,8 @@
 set -euo pipefail
 packages=$(cd "$1" && pwd)
 example=$(cd "$(dirname "$0")/installed" && pwd)
-mirror=${PLUMB_MIRROR:-$(awk '$1 == "deb" { for (i = 2; i <= NF; ++i) if ($i ~ /^http/) { print $i; exit } }
-                              $1 == "URIs:" { print $2; exit }' /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null)}
+mirror=${PLUMB_MIRROR:-$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null |
+  awk '/^(deb|URIs:) / { for (i = 2; i <= NF; ++i) if ($i ~ /^http/) { print $i; exit } }' || true)}
 
 skip() {
   echo "package: skipped: $1"
@@ -17,6 +17,7 @@ skip() {
 command -v debootstrap >/dev/null || skip "debootstrap is not installed"
 
 root=$(mktemp -d)
+chmod 755 "$root"
 finish() {
   umount "$root/proc" 2>/dev/null || true
   rm -rf --one-file-system "$root"

@@ -59,7 +59,7 @@ class Tab {
   void emulate(const Json& features, const std::string& media = "");
   /// The value of a JavaScript expression; awaits a promise. Throws where it throws.
   Json value_of(const std::string& expression);
-  /// Waits until an expression is true; throws after five seconds.
+  /// Waits until an expression is true; throws after ten minutes.
   void wait_until(const std::string& expression);
   void move_mouse(double x, double y);
   void press(const std::string& key, int code);

@@ -15,14 +15,17 @@
 #include "tests/report/made_run.h"
 #include "tests/report/program.h"
 
-// The page of a run in Debian's Chromium. All tests share one browser and three pages: of a run of the
-// pendulum, of one that failed, and of one with hostile texts.
+// The page of a run in Debian's Chromium. All tests read the same three pages, which the first one makes: of
+// a run of the pendulum, of one that failed, and of one with hostile texts.
 
 namespace plumb {
 namespace {
 
 constexpr int tab_key = 9, left_key = 37, right_key = 39;
 
+const fs::path pages = PLUMB_PAGES;
+
+/// Of those that run one after another in one process.
 struct Shared {
   TemporaryFolder folder;
   std::optional<Chromium> chromium;
@@ -86,6 +89,17 @@ std::string hostile_page() {
   return to_page(document_of(evaluate(run, {}), pictures), pictures);
 }
 
+TEST(Pages, AreMade) {
+  fs::remove_all(pages);
+  write_text(pages / "small.toml", small_pendulum());
+  const Ended run = plumb_in(pages, {"run", "small.toml", "-o", "run"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Ended failing = plumb_in(pages, {"run", "small.toml", "-o", "failed", "--set", "method.name=rk4",
+                                         "--set", "method.step=1.3e-3"});
+  ASSERT_EQ(failing.status, 4) << failing.err;
+  write_text(pages / "hostile.html", hostile_page());
+}
+
 class PageInBrowser : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -95,14 +109,7 @@ class PageInBrowser : public testing::Test {
       shared_->chromium.emplace(PLUMB_CHROMIUM, folder.string());
     } catch (const std::exception& error) {
       shared_->why_not = std::string(error.what()) + "\n" + read_text(folder / "chromium.log");
-      return;
     }
-    write_text(folder / "small.toml", small_pendulum());
-    ASSERT_EQ(plumb_in(folder, {"run", "small.toml", "-o", "run"}).status, 0);
-    const Ended failing = plumb_in(folder, {"run", "small.toml", "-o", "failed", "--set", "method.name=rk4",
-                                            "--set", "method.step=1.3e-3"});
-    ASSERT_EQ(failing.status, 4) << failing.err;
-    write_text(folder / "hostile.html", hostile_page());
   }
   static void TearDownTestSuite() {
     delete shared_;
@@ -119,11 +126,11 @@ class PageInBrowser : public testing::Test {
   void TearDown() override { tab_.reset(); }
 
   Tab& tab() { return *tab_; }
-  static std::string file(const std::string& name) { return (shared_->folder / name).string(); }
+  static std::string file(const std::string& name) { return (pages / name).string(); }
   void open(const std::string& page) { tab().open("file://" + file(page)); }
   void open_run() { open("run/index.html"); }
   Chromium& chromium() { return *shared_->chromium; }
-  static Json results() { return Json::parse(read_text(shared_->folder / "run/results.json")); }
+  static Json results() { return Json::parse(read_text(pages / "run/results.json")); }
 
   std::string text_of(const std::string& selector) {
     return tab().value_of("document.querySelector('" + selector + "').innerText").get<std::string>();
