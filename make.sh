@@ -41,7 +41,7 @@ install_missing_packages() {
   mkdir -p build
   local log=build/packages.log
   echo "make.sh: installing ${missing[*]}"
-  echo "make.sh: with all they need this can be 450 MB and take some minutes; what apt-get says is in $log"
+  echo "make.sh: with all they need this can take some minutes; what apt-get says is in $log"
   if ! {
     ${as_root[@]+"${as_root[@]}"} apt-get update &&
       ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
@@ -75,6 +75,7 @@ build_with_tests() {
   install_missing_packages tests
   cmake --preset "$preset" -DPLUMB_TESTS=ON
   cmake --build --preset "$preset" -j "$(parallel_jobs)" ${1+--target "$@"}
+  build_seconds=$SECONDS
 }
 
 case ${1:-} in
@@ -84,7 +85,12 @@ case ${1:-} in
     ;;
   test)
     build_with_tests
-    ctest --preset "$preset" -j "$(nproc)"
+    tests=0
+    ctest --preset "$preset" -j "$(nproc)" || tests=$?
+    echo "make.sh: what took longest: $(sort -k3,3nr "build/$preset/Testing/Temporary/CTestCostData.txt" |
+      awk 'NF == 3 && ++n <= 5 { printf "%s%s %.0f s", n > 1 ? ", " : "", $1, $3 }')"
+    echo "make.sh: the build was done after $build_seconds s, all after $SECONDS s"
+    exit "$tests"
     ;;
   build)
     build_program
