@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/errors.h"
+#include "engine/model/cable.h"
 #include "engine/output/cable_field.h"
 #include "render/axis_ticks.h"
 #include "render/camera_path.h"

@@ -7,13 +7,14 @@
 
 #include "engine/input/case.h"
 #include "engine/integrate/trajectory.h"
-#include "engine/model/cable.h"
 #include "render/color.h"
 #include "render/gl_context.h"
 #include "render/image.h"
 #include "render/shapes.h"
 
 namespace plumb {
+
+class Cable;
 
 /// A run as a scene shows it.
 struct SceneRun {

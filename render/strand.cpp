@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/errors.h"
+#include "engine/model/cable.h"
 #include "engine/output/cable_field.h"
 #include "render/visible_curve.h"
 

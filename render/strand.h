@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "engine/model/cable.h"
 #include "render/camera.h"
 #include "render/color.h"
 #include "render/motion.h"
@@ -11,6 +10,8 @@
 #include "render/tube.h"
 
 namespace plumb {
+
+class Cable;
 
 /// The least and the greatest value of a field.
 struct FieldRange {

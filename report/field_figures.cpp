@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/input/figure_names.h"
+#include "engine/model/cable.h"
 #include "engine/output/cable_field.h"
 #include "engine/output/field_envelope.h"
 #include "engine/output/field_map.h"

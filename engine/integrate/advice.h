@@ -4,9 +4,11 @@
 
 #include "engine/integrate/state.h"
 #include "engine/integrate/trajectory.h"
-#include "engine/model/cable.h"
 
 namespace plumb {
+
+class Cable;
+struct MethodSpec;
 
 /// What would help a run from `start` that ended with `outcome` after the outputs that `run` holds, in one
 /// phrase: "a step below 0.00104 s, or an implicit method". The step is that below which the fastest

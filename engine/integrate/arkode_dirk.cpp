@@ -6,6 +6,7 @@
 #include "engine/integrate/arkode_method.h"
 #include "engine/integrate/arkode_tables.h"
 #include "engine/integrate/reduced_linear_solver.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/model/cable.h"
 #include "engine/model/inertia.h"
 
 namespace plumb {
@@ -16,6 +17,10 @@ Dynamics::Dynamics(const Cable& cable)
                .newton_iterations = 0},
       cable_(cable),
       scratch_(cable.size()) {}
+
+int Dynamics::size() const {
+  return cable_.size();
+}
 
 void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) {
   ++counters.force_evaluations;

@@ -4,11 +4,13 @@
 #include <optional>
 
 #include "engine/integrate/trajectory.h"
+#include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
-#include "engine/model/cable.h"
 #include "engine/model/huge_array.h"
 
 namespace plumb {
+
+class Cable;
 
 /// What a method asks of a cable during one run, with the count of what it asked. Not shared between threads.
 class Dynamics {
@@ -16,7 +18,7 @@ class Dynamics {
   explicit Dynamics(const Cable& cable);
 
   const Cable& cable() const { return cable_; }
-  int size() const { return cable_.size(); }
+  int size() const;
 
   /// f := forces on the cable (external and elastic), with those that the supports take up set to 0.
   void force(const Eigen::VectorXd& q, Eigen::VectorXd& f);

@@ -3,6 +3,7 @@
 
 #include "engine/integrate/newton.h"
 #include "engine/integrate/structural_method.h"
+#include "engine/model/cable.h"
 #include "engine/model/discrete_gradient.h"
 
 namespace plumb {

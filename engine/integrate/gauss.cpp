@@ -9,6 +9,7 @@
 #include "engine/integrate/one_step_method.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
+#include "engine/model/cable.h"
 #include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {

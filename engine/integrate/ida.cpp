@@ -4,6 +4,7 @@
 #include <new>
 
 #include "engine/integrate/ida_linear_system.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 namespace {

@@ -1,5 +1,7 @@
 #include "engine/integrate/ida_linear_system.h"
 
+#include "engine/model/cable.h"
+
 namespace plumb::sundials {
 
 IdaLinearSystem::IdaLinearSystem(Dynamics& dynamics, const SupportConstraints& constraints, bool stabilised)

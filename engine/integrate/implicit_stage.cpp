@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/integrate/newton.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 namespace {

@@ -11,6 +11,7 @@
 #include "engine/integrate/monitor.h"
 #include "engine/integrate/rigid_rod.h"
 #include "engine/interrupt.h"
+#include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
 
 namespace plumb {

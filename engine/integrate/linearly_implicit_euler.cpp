@@ -1,4 +1,5 @@
 #include "engine/integrate/one_step_method.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 namespace {

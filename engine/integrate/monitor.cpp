@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/model/cable.h"
+
 namespace plumb {
 namespace {
 

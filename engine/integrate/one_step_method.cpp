@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/integrate/state_at.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 OneStepMethod::OneStepMethod(const MethodSpec& spec, int order, Dynamics& dynamics, const State& start)

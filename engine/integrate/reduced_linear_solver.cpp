@@ -1,5 +1,7 @@
 #include "engine/integrate/reduced_linear_solver.h"
 
+#include "engine/model/cable.h"
+
 namespace plumb::sundials {
 
 ReducedSystem::ReducedSystem(Dynamics& dynamics)

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "engine/integrate/one_step_method.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 namespace {

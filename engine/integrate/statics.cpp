@@ -5,6 +5,7 @@
 
 #include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/newton.h"
+#include "engine/model/cable.h"
 #include "engine/model/compression_limit.h"
 
 namespace plumb {

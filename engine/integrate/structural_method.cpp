@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/integrate/newton.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "engine/model/cable.h"
+
 namespace plumb {
 
 std::optional<OverloadedElement> overloaded_element(const Cable& cable, const Eigen::VectorXd& q,

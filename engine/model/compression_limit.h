@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "engine/model/cable.h"
-
 namespace plumb {
+
+class Cable;
 
 /// Most compression that a bar with Green's strain can bear, over EA: the least of N/EA = ½(λ² − 1) λ, at the
 /// stretch λ = 1/√3, is −1/(3 √3). Pressed harder, it has no equilibrium short of being turned inside out.

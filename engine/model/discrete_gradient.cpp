@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/model/cable.h"
 #include "engine/model/hermite.h"
 #include "engine/model/quadrature.h"
 

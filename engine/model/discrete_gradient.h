@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "engine/model/block_lu.h"
-#include "engine/model/cable.h"
+#include "engine/model/chain.h"
+#include "engine/model/element.h"
 
 namespace plumb {
+
+class Cable;
 
 /// A discrete gradient D(q₀, q₁) of the strain energy U of a cable (Gonzalez 1996): D · (q₁ − q₀) = U(q₁) −
 /// U(q₀) exactly, D(q, q) = ∂U/∂q, and no net force or moment. At each integration point the energy is a

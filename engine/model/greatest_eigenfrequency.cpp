@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "engine/model/cable.h"
+
 namespace plumb {
 namespace {
 

@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "engine/model/cable.h"
-
 namespace plumb {
+
+class Cable;
 
 /// The fastest vibration of a cable about a state, with its supports: the greatest ω of K(q) φ = ω² M φ.
 struct FastestVibration {

@@ -1,5 +1,7 @@
 #include "engine/output/cable_field.h"
 
+#include "engine/model/cable.h"
+
 namespace plumb {
 
 double field_value(const Cable& cable, ColorField field, const Eigen::VectorXd& q, const Eigen::VectorXd& v,

@@ -4,9 +4,10 @@
 #include <string_view>
 
 #include "engine/input/case.h"
-#include "engine/model/cable.h"
 
 namespace plumb {
+
+class Cable;
 
 /// A field of a cable (not `none`) in a state q with rates v, at the fraction s in [0, 1] of its length, in
 /// the field's unit.

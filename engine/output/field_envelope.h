@@ -4,9 +4,10 @@
 
 #include "engine/input/case.h"
 #include "engine/integrate/trajectory.h"
-#include "engine/model/cable.h"
 
 namespace plumb {
+
+class Cable;
 
 /// The least, mean and greatest value over time of a field, along the cable, in the field's unit: what cable
 /// engineers call range graphs.

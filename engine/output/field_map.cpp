@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/model/cable.h"
 #include "engine/output/cable_field.h"
 
 namespace plumb {

@@ -4,9 +4,10 @@
 
 #include "engine/input/case.h"
 #include "engine/integrate/trajectory.h"
-#include "engine/model/cable.h"
 
 namespace plumb {
+
+class Cable;
 
 /// A field over time and place in cells that are small enough for a picture.
 struct FieldMap {

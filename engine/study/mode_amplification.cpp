@@ -10,6 +10,7 @@
 #include "engine/integrate/amplification.h"
 #include "engine/integrate/dynamics.h"
 #include "engine/integrate/method.h"
+#include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"
 #include "engine/study/parallel.h"
 

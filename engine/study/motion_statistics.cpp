@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/integrate/integrate.h"
+#include "engine/model/cable.h"
 #include "engine/study/parallel.h"
 #include "engine/study/separation.h"
 

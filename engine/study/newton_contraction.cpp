@@ -7,6 +7,7 @@
 #include "engine/integrate/dynamics.h"
 #include "engine/integrate/state_at.h"
 #include "engine/integrate/structural_schemes.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 namespace {

@@ -3,10 +3,11 @@
 #include <optional>
 
 #include "engine/integrate/trajectory.h"
-#include "engine/model/cable.h"
 #include "engine/study/stability.h"
 
 namespace plumb {
+
+class Cable;
 
 /// Newton's matrix of a structural method, S = mass M + stiffness h² K, without h.
 struct NewtonMatrix {

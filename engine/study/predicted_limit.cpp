@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/integrate/amplification.h"
+#include "engine/model/cable.h"
 #include "engine/study/newton_contraction.h"
 
 namespace plumb {

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "engine/integrate/method_info.h"
-#include "engine/model/cable.h"
 #include "engine/study/stability.h"
 
 namespace plumb {
+
+class Cable;
 
 /// What the limit of a method rests on.
 LimitKind limit_kind(const MethodSpec& method);

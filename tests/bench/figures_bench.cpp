@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/integrate/method.h"
+#include "engine/model/cable.h"
 #include "tests/bench/kernel_chain.h"
 #include "tests/engine/pendulum.h"
 #include "tests/engine/plain_element.h"

@@ -2,6 +2,7 @@
 
 #include "engine/integrate/method.h"
 #include "engine/integrate/monitor.h"
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "engine/integrate/method.h"
+#include "engine/model/cable.h"
 #include "engine/model/huge_array.h"
 #include "tests/engine/pendulum.h"
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "engine/integrate/method.h"
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/integrate/bdf_formula.h"
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/input/case_words.h"
+#include "engine/model/cable.h"
 #include "engine/output/probes.h"
 #include "tests/engine/pendulum.h"
 

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "engine/model/cable.h"
 #include "engine/model/discrete_gradient.h"
 #include "engine/output/probes.h"
 #include "tests/engine/pendulum.h"

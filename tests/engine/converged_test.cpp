@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

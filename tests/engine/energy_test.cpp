@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/integrate/monitor.h"
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "engine/integrate/dynamics.h"
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

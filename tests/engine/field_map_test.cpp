@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/model/cable.h"
 #include "engine/output/cable_field.h"
 #include "tests/engine/pendulum.h"
 

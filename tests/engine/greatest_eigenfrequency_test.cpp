@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/integrate/dynamics.h"
+#include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
 #include "tests/engine/pendulum.h"
 

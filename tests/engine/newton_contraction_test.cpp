@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "engine/model/cable.h"
 #include "engine/study/critical_step.h"
 #include "tests/engine/pendulum.h"
 

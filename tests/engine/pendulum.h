@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "engine/integrate/integrate.h"
-#include "engine/model/cable.h"
 
 namespace plumb {
 

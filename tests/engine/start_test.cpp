@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

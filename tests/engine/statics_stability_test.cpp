@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "engine/integrate/method.h"
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

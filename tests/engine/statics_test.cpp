@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "engine/model/cable.h"
 #include "engine/model/compression_limit.h"
 #include "tests/engine/pendulum.h"
 

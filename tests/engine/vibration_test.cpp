@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

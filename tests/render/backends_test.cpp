@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/model/cable.h"
 #include "render/plot_renderer.h"
 #include "render/scene.h"
 #include "tests/render/swing.h"

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/errors.h"
+#include "engine/model/cable.h"
 #include "engine/model/hermite.h"
 #include "render/apng.h"
 #include "tests/render/pictures.h"
