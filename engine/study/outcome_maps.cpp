@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 
+#include "engine/model/cable.h"
 #include "engine/integrate/integrate.h"
 #include "engine/study/judge.h"
 #include "engine/study/parallel.h"
