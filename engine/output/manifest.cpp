@@ -97,10 +97,19 @@ Manifest manifest_of(const std::string& text) {
 
 }  // namespace
 
+ListedFile listed_as(const std::string& bytes) {
+  return {bytes.size(), sha256(bytes)};
+}
+
 ListedFiles Manifest::all() const {
   ListedFiles both = files;
   both.insert(next.begin(), next.end());
   return both;
+}
+
+bool is_name_listed_as_it_is(const std::string& name) {
+  const std::string text = Json(name).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(text, nullptr, false) == name;
 }
 
 std::string encode_manifest(const Manifest& manifest) {
