@@ -22,6 +22,7 @@
 #include "render/environment.h"
 #include "report/program/limits.h"
 #include "report/program/study_kinds.h"
+#include "report/program/surroundings.h"
 #include "report/program/verbs.h"
 #include "report/stages.h"
 
@@ -309,6 +310,8 @@ int parse_and_act(int count, const char* const* arguments) {
 
 int program(int count, const char* const* arguments) {
   try {
+    open_standard_files();
+    refuse_short_stack();
     catch_interrupts();
     const int status = parse_and_act(count, arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
