@@ -229,13 +229,17 @@ void OutputFolder::commit() {
   const Undivided undivided;
   try {
     place();
-    const std::string kept = part_->clear();
-    if (!kept.empty() && use_.remark)
-      use_.remark(fmt::format("{} came into {} while it was replaced: it is kept there", kept, path_));
   } catch (const NameTaken& error) {
     throw OutputError(error.what() + set_aside());
   } catch (const std::system_error& error) {
     throw WriteError(path_, error.code().message());
+  }
+  try {
+    const std::string kept = part_->clear();
+    if (!kept.empty() && use_.remark)
+      use_.remark(fmt::format("{} came into {} while it was replaced: it is kept there", kept, path_));
+  } catch (const std::exception&) {
+    // All is in place, and what could not be cleared is so by a later command.
   }
   part_.reset();
 }

@@ -229,8 +229,8 @@ void PartFolder::own(const ListedFiles& files, const std::string& prefix) {
   for (const auto& [name, file] : files) own_[prefix + name].push_back(file);
 }
 
-void PartFolder::empty() {
-  empty_of(folder_.get(), own_);
+bool PartFolder::empty() {
+  return empty_of(folder_.get(), own_);
 }
 
 std::string PartFolder::clear() {

@@ -38,8 +38,8 @@ class PartFolder {
   /// and those that are to be moved here. Throws std::system_error.
   void own(const ListedFiles& files, const std::string& prefix);
 
-  /// Removes what of it is ours.
-  void empty();
+  /// Removes what of it is ours. False if some of that is still there.
+  bool empty();
   /// The same, and the folder. Where something is left, which is not ours, its owner should see it: returns
   /// the first such file where it is now, within `NAME.new` or one numbered after it if that can be; else
   /// empty.

@@ -210,8 +210,11 @@ bool put_at_once(const PlacedFiles& files, const Descriptor& old) {
     throw WriteError(files.path, fmt::format("{}; what it held is in {}", fault, part));
   }
   if (!old) return true;
-  files.part.empty();
-  move_files(old.get(), files.made);
+  // It is in place: what goes wrong from here on is for a later command to mend.
+  try {
+    if (files.part.empty()) move_files(old.get(), files.made);
+  } catch (const std::exception&) {
+  }
   ::flock(old.get(), LOCK_UN);
   return true;
 }
