@@ -8,9 +8,8 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <filesystem>
+#include <map>
 #include <mutex>
-#include <set>
 #include <string_view>
 
 #include "engine/errors.h"
@@ -37,7 +36,7 @@ void request_stop(int signal) {
 struct Registry {
   std::recursive_mutex undivided;
   std::mutex guard;
-  std::multiset<std::string> unfinished;
+  std::map<std::string, void (*)(const std::string&)> unfinished;
 };
 
 Registry& registry() {
@@ -53,15 +52,7 @@ void wait_a_moment(long milliseconds) {
 
 void remove_unfinished() {
   const std::lock_guard lock(registry().guard);
-  // The work goes on meanwhile and may put another file into a folder that is being emptied.
-  constexpr int attempts = 5;
-  for (const std::string& path : registry().unfinished) {
-    std::error_code error;
-    for (int k = 0; k < attempts; ++k) {
-      std::filesystem::remove_all(path, error);
-      if (!error) break;
-    }
-  }
+  for (const auto& [path, remove] : registry().unfinished) remove(path);
 }
 
 /// Ends a program that was asked to stop and did not.
@@ -115,15 +106,14 @@ bool is_interrupted() {
   return stop_requested.load(std::memory_order_relaxed);
 }
 
-void begin_unfinished(const std::string& path) {
+void begin_unfinished(const std::string& path, void (*remove)(const std::string& path)) {
   const std::lock_guard lock(registry().guard);
-  registry().unfinished.insert(path);
+  registry().unfinished.emplace(path, remove);
 }
 
 void end_unfinished(const std::string& path) {
   const std::lock_guard lock(registry().guard);
-  auto& all = registry().unfinished;
-  if (const auto at = all.find(path); at != all.end()) all.erase(at);
+  registry().unfinished.erase(path);
 }
 
 Undivided::Undivided() {

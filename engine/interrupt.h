@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 namespace plumb {
 
@@ -17,22 +16,10 @@ void stop_if_interrupted();
 /// Whether a stop was asked for.
 bool is_interrupted();
 
-/// Takes down a file or folder in the making, which is removed where the program is ended from outside, and
-/// strikes it out again.
-void begin_unfinished(const std::string& path);
+/// Takes down a folder in the making, which `remove` clears where the program is ended from outside while its
+/// work goes on, and strikes it out again. `remove` throws nothing.
+void begin_unfinished(const std::string& path, void (*remove)(const std::string& path));
 void end_unfinished(const std::string& path);
-
-/// A file in the making, while one of these exists.
-class Unfinished {
- public:
-  explicit Unfinished(std::string path) : path_(std::move(path)) { begin_unfinished(path_); }
-  ~Unfinished() { end_unfinished(path_); }
-  Unfinished(const Unfinished&) = delete;
-  Unfinished& operator=(const Unfinished&) = delete;
-
- private:
-  std::string path_;
-};
 
 /// While one exists the program is not ended from outside: for the moments in which something new takes the
 /// place of something old.

@@ -1,9 +1,14 @@
 #include "render/gl_context.h"
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <thread>
 #include <vector>
@@ -31,10 +36,88 @@ bool threads_can_be_had(unsigned count) {
   return there;
 }
 
+constexpr const char* threads_variable = "LP_NUM_THREADS";
+constexpr long most_threads = 16;  // that any version of it starts
+
 /// The software renderer waits for ever for threads that it could not start; without any it draws in ours.
 void draw_with_threads_there_are() {
-  if (!threads_can_be_had(std::max(1U, std::thread::hardware_concurrency())))
-    ::setenv("LP_NUM_THREADS", "0", 1);
+  const unsigned wanted = std::clamp(std::thread::hardware_concurrency(), 1U, unsigned{most_threads});
+  const bool there = threads_can_be_had(wanted);
+  // Told how many, so that it is known how many there must be.
+  ::setenv(threads_variable, std::to_string(there && wanted > 1 ? wanted : 0).c_str(), there ? 0 : 1);
+}
+
+constexpr std::string_view name_of_makers = "plumb-gl", renderer_names = "llvmpipe-";
+
+/// While one exists, threads that this one starts begin with a name that tells.
+class NamesItsThreads {
+ public:
+  NamesItsThreads() {
+    ::prctl(PR_GET_NAME, before_);
+    ::prctl(PR_SET_NAME, name_of_makers.data());
+  }
+  ~NamesItsThreads() { ::prctl(PR_SET_NAME, before_); }
+  NamesItsThreads(const NamesItsThreads&) = delete;
+  NamesItsThreads& operator=(const NamesItsThreads&) = delete;
+
+ private:
+  char before_[16] = {};
+};
+
+/// Threads of the software renderer.
+struct RendererThreads {
+  long there = 0;         ///< as many as there may be where that cannot be seen
+  bool starting = false;  ///< one that has no name of its own yet is at work
+};
+
+RendererThreads renderer_threads() {
+  RendererThreads found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator thread("/proc/self/task", error), end; !error && thread != end;
+       thread.increment(error)) {
+    // "7007 (plumb) S 1 ..."
+    std::string status;
+    std::getline(std::ifstream(thread->path() / "stat"), status);
+    const std::size_t name = status.find('('), state = status.rfind(") ");
+    if (name == std::string::npos || state == std::string::npos) {
+      ++found.there;
+      continue;
+    }
+    const std::string_view called = std::string_view(status).substr(name + 1, state - name - 1);
+    if (called.starts_with(renderer_names)) ++found.there;
+    if (called == name_of_makers && status.substr(state + 2, 1) != "S") found.starting = true;
+  }
+  if (error) found.there = most_threads;
+  return found;
+}
+
+/// Those that could be had a moment ago may be gone. Throws OutputError.
+void check_threads_are_there() {
+  constexpr int looks_at_rest = 10;
+  constexpr std::chrono::milliseconds look_every(5);
+  const long wanted = std::clamp(std::strtol(std::getenv(threads_variable), nullptr, 10), 0L, most_threads);
+  for (int at_rest = 0;;) {
+    const RendererThreads threads = renderer_threads();
+    if (threads.there >= wanted) return;
+    at_rest = threads.starting ? 0 : at_rest + 1;
+    if (at_rest == looks_at_rest)
+      throw OutputError(
+          fmt::format("OpenGL: only {} of the {} threads of the renderer could be started; with {}=0 "
+                      "it draws without",
+                      threads.there, wanted, threads_variable));
+    std::this_thread::sleep_for(look_every);
+  }
+}
+
+/// Where little is left of what the process may use, the driver crashes.
+void refuse_scarce_memory() {
+  constexpr double least = 100e6;  // bytes, for a small picture
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || static_cast<double>(limit.rlim_cur) > least) return;
+  throw OutputError(
+      fmt::format("OpenGL: the data segment may be no more than {:.3g} MB (ulimit -d), and drawing "
+                  "takes {:.3g} MB",
+                  static_cast<double>(limit.rlim_cur) / 1e6, least / 1e6));
 }
 
 // What a driver that draws on the processor may use of it, which moves a lit pixel by a level here and there.
@@ -73,13 +156,17 @@ const char* error_name(GLenum error) {
 
 GlContext::GlContext(const GlBackendChoice& choice) {
   check_environment();
+  refuse_scarce_memory();
   draw_with_threads_there_are();
   // The driver would leave a cache of compiled shaders in the home folder.
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   // What fails is said by the error alone.
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);
-  backend_ = make_gl_backend(choice);
-  make_current();
+  {
+    const NamesItsThreads named;
+    backend_ = make_gl_backend(choice);
+    make_current();
+  }
 
   gl_ = std::make_unique<Gl>();
   const auto address = [&](const char* name) {
@@ -94,6 +181,14 @@ GlContext::GlContext(const GlBackendChoice& choice) {
   info_.backend = backend_->description();
   info_.renderer = reinterpret_cast<const char*>(gl_->GetString(GL_RENDERER));
   info_.renderer += instructions(info_.renderer);
+  if (info_.renderer.find("llvmpipe") != std::string::npos) {
+    try {
+      check_threads_are_there();
+    } catch (const OutputError&) {
+      backend_.release();  // it could not even be closed
+      throw;
+    }
+  }
   info_.version = reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
   GLint texture = 0;
   GLint renderbuffer = 0;

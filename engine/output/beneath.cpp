@@ -1,5 +1,6 @@
 #include "engine/output/beneath.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -46,6 +47,23 @@ Beneath find_beneath(int root, const std::string& name, bool make) {
 
 Descriptor open_folder(const std::string& path) {
   return Descriptor(::open(path.c_str(), folder_flags));
+}
+
+std::vector<Entry> entries_of(int folder) {
+  std::vector<Entry> entries;
+  Descriptor copy(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  DIR* list = copy ? ::fdopendir(copy.get()) : nullptr;
+  if (list == nullptr) return entries;
+  copy.release();  // closed with the list
+  while (const dirent* entry = ::readdir(list)) {
+    const std::string name = entry->d_name;
+    struct stat status {};
+    if (name == "." || name == ".." || ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0)
+      continue;
+    entries.push_back({name, S_ISDIR(status.st_mode), S_ISREG(status.st_mode)});
+  }
+  ::closedir(list);
+  return entries;
 }
 
 int flush_to_disk(int descriptor) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace plumb {
 
@@ -42,6 +43,15 @@ Beneath find_beneath(int root, const std::string& name, bool make = false);
 
 /// Opens a folder for reading, without following a link at its end.
 Descriptor open_folder(const std::string& path);
+
+/// What is in a folder.
+struct Entry {
+  std::string name;
+  bool folder = false, file = false;  ///< a regular one
+};
+
+/// All in an open folder; nothing where it cannot be read.
+std::vector<Entry> entries_of(int folder);
 
 /// Makes what an open file or folder holds outlast a power cut. Returns the error number, or 0; that the file
 /// system knows no way to do so is no error.

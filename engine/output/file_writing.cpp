@@ -32,15 +32,15 @@ void write_as_it_is(const std::string& path, std::string_view bytes) {
 int replace(const fs::path& place, std::string_view bytes) {
   const fs::path parent = place.has_parent_path() ? place.parent_path() : fs::path(".");
   const std::string name = place.filename().string();
-  clear_leftovers(parent.string(), name, [&](std::string_view file) { return file == name; });
-  const PartFolder part(parent.string(), name);
-  const int file = ::openat(part.descriptor(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
+  clear_leftovers(parent.string(), name);
+  PartFolder part(parent.string(), name);
+  Descriptor file = part.create(name);
+  if (!file) return errno;
   struct stat old {};
-  if (::stat(place.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 0777);
-  int error = write_all(file, bytes);
-  if (error == 0) error = flush_to_disk(file);
-  if (::close(file) != 0 && error == 0) error = errno;
+  if (::stat(place.c_str(), &old) == 0) ::fchmod(file.get(), old.st_mode & 0777);
+  int error = write_all(file.get(), bytes);
+  if (error == 0) error = flush_to_disk(file.get());
+  if (::close(file.release()) != 0 && error == 0) error = errno;
   if (error == 0 && ::renameat(part.descriptor(), name.c_str(), AT_FDCWD, place.c_str()) != 0) error = errno;
   return error;
 }

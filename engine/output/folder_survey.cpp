@@ -97,8 +97,12 @@ bool belongs_to(FolderContent content, std::string_view name) {
   return false;
 }
 
-FolderSurvey look_into(Descriptor folder, FolderContent content) {
-  FolderSurvey survey{std::move(folder)};
+FolderSurvey look_into(const std::string& path, FolderContent content) {
+  FolderSurvey survey{open_folder(path)};
+  if (!survey.folder) {
+    if (errno != ENOENT) throw std::system_error(errno, std::generic_category());
+    return survey;
+  }
   survey.manifest = find_manifest(survey.folder.get());
   survey.ours = files_that_are_ours(survey.folder.get(), survey.manifest.manifest);
   if (content != FolderContent::copies)
@@ -107,13 +111,6 @@ FolderSurvey look_into(Descriptor folder, FolderContent content) {
   find_others(survey.folder.get(), "", survey.ours, survey.manifest.manifest.all(), survey.others);
   if (survey.manifest.there && survey.manifest.fault.empty()) survey.others.erase(manifest_name);
   return survey;
-}
-
-FolderSurvey look_into(const std::string& path, FolderContent content) {
-  Descriptor folder = open_folder(path);
-  if (folder) return look_into(std::move(folder), content);
-  if (errno != ENOENT) throw std::system_error(errno, std::generic_category());
-  return {};
 }
 
 }  // namespace plumb

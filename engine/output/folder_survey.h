@@ -31,8 +31,7 @@ struct FolderSurvey {
   std::set<std::string> others = {};
 };
 
-/// Looks into the folder at `path`, or an open one. Throws std::system_error.
+/// Looks into the folder at `path`. Throws std::system_error.
 FolderSurvey look_into(const std::string& path, FolderContent content);
-FolderSurvey look_into(Descriptor folder, FolderContent content);
 
 }  // namespace plumb

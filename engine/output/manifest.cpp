@@ -1,6 +1,7 @@
 #include "engine/output/manifest.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,11 +24,14 @@ constexpr int version = 1;
 constexpr const char* version_key = "plumb_manifest";
 constexpr off_t longest = off_t{64} << 20;
 
-Json list_json(const ListedFiles& files) {
-  Json list = Json::array();
+/// Put together by hand, as a list of the JSON library ends the program where there is no memory to end it.
+std::string list_text(const char* key, const ListedFiles& files) {
+  std::string text;
   for (const auto& [name, file] : files)
-    list.push_back({{"name", name}, {"size", file.size}, {"sha256", file.sha256}});
-  return list;
+    text += fmt::format(
+        "{}\n  {{\n   \"name\": {},\n   \"size\": {},\n   \"sha256\": \"{}\"\n  }}", text.empty() ? "" : ",",
+        Json(name).dump(-1, ' ', false, Json::error_handler_t::replace), file.size, file.sha256);
+  return fmt::format(",\n \"{}\": [{}{}]", key, text, text.empty() ? "" : "\n ");
 }
 
 bool is_sum(const std::string& text) {
@@ -97,16 +101,24 @@ Manifest manifest_of(const std::string& text) {
 
 }  // namespace
 
+ListedFile listed_as(const std::string& bytes) {
+  return {bytes.size(), sha256(bytes)};
+}
+
 ListedFiles Manifest::all() const {
   ListedFiles both = files;
   both.insert(next.begin(), next.end());
   return both;
 }
 
+bool is_name_listed_as_it_is(const std::string& name) {
+  const std::string text = Json(name).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(text, nullptr, false) == name;
+}
+
 std::string encode_manifest(const Manifest& manifest) {
-  Json json{{version_key, version}, {"files", list_json(manifest.files)}};
-  if (!manifest.next.empty()) json["next"] = list_json(manifest.next);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return fmt::format("{{\n \"{}\": {}{}{}\n}}\n", version_key, version, list_text("files", manifest.files),
+                     manifest.next.empty() ? "" : list_text("next", manifest.next));
 }
 
 FoundManifest find_manifest(int folder) {

@@ -19,6 +19,9 @@ struct ListedFile {
   friend bool operator==(const ListedFile&, const ListedFile&) = default;
 };
 
+/// What a file of these bytes is listed as.
+ListedFile listed_as(const std::string& bytes);
+
 /// Files of a folder by their names below it: "frames/0000.png".
 using ListedFiles = std::map<std::string, ListedFile>;
 
@@ -33,6 +36,9 @@ struct Manifest {
   /// All names, there or to be.
   ListedFiles all() const;
 };
+
+/// Whether a manifest can list a file of this name: its text is UTF-8.
+bool is_name_listed_as_it_is(const std::string& name);
 
 /// Its JSON: `plumb_manifest` (the version, 1), `files[]` with `name`, `size`, `sha256`, and `next[]` where
 /// there are such.

@@ -25,10 +25,19 @@ namespace fs = std::filesystem;
 
 /// The folder at the end of all links. Throws OutputError if it is none.
 fs::path folder_at(const std::string& path) {
-  fs::path target = fs::weakly_canonical(fs::absolute(path));
+  const fs::path whole = fs::absolute(path);
+  fs::path upwards;
+  for (const fs::path& part : whole) {
+    upwards /= part;
+    if (fs::is_symlink(upwards) && !fs::exists(upwards))
+      throw WriteError(path,
+                       fmt::format("{} is a link to nothing, {}", upwards == whole ? "it" : upwards.string(),
+                                   fs::read_symlink(upwards).string()));
+    if (fs::exists(upwards) && !fs::is_directory(upwards))
+      throw WriteError(path, fmt::format("{} is no folder", upwards == whole ? "it" : upwards.string()));
+  }
+  fs::path target = fs::weakly_canonical(whole);
   if (!target.has_filename()) target = target.parent_path();
-  if (fs::is_symlink(target)) throw WriteError(path, "it is a link to nothing");
-  if (fs::exists(target) && !fs::is_directory(target)) throw WriteError(path, "it is no folder");
   return target;
 }
 
@@ -69,15 +78,7 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
     const fs::path target = folder_at(path);
     path_ = target.string();
     const std::string name = target.filename().string();
-    if (!only_checks) {
-      const auto is_ours = [&](std::string_view file) { return is_made_on_the_way(use_.content, file); };
-      const int cleared = clear_leftovers(target.parent_path().string(), name, is_ours) +
-                          clear_leftovers(path_, name, is_ours);
-      if (cleared > 0)
-        say(fmt::format("cleared what {} that did not end left beside {}",
-                        cleared == 1 ? "an earlier command" : fmt::format("{} earlier commands", cleared),
-                        path));
-    }
+    if (!only_checks) clear_leftovers_of(path, use_.remark);
     const FolderSurvey survey = look();
     refuse_conflicts(survey);
     ours_ = survey.ours;
@@ -85,29 +86,20 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
     if (!survey.manifest.manifest.next.empty())
       say(fmt::format(
           "an earlier command was killed while it put its files into {}: what is there may be of two", path));
+    if (survey.folder && ::access(path_.c_str(), W_OK) != 0) throw WriteError(path, errno);
     if (only_checks) return;
     fs::create_directories(target.parent_path());
     const bool inside = survey.folder && (!survey.others.empty() || !has_room_beside(target));
     part_ = std::make_unique<PartFolder>(inside ? path_ : target.parent_path().string(), name);
-    // What others put into it stays; what lay in the old folder and was taken away is ours by its sum.
-    part_->own([this, folder = part_->descriptor()](const std::string& file) {
-      const std::string old = file.starts_with("removed/") ? file.substr(8) : file;
-      const auto is_as_in = [&](const ListedFiles& list, const std::string& as) {
-        const auto listed = list.find(as);
-        return listed != list.end() && is_still(folder, file, listed->second);
-      };
-      if (file == being_written_ || is_as_in(written_, file) || is_as_in(ours_, old)) return true;
-      return file == "both.json" || file == "new.json" ||
-             (file == manifest_name && find_manifest(folder).fault.empty());
-    });
+    if (::mkdirat(part_->descriptor(), folder_made, 0777) != 0) throw WriteError(path, errno);
+    made_ = open_folder(part_->path() + "/" + folder_made);
+    if (!made_) throw WriteError(path, errno);
   } catch (const std::system_error& error) {
     throw WriteError(path, error.code().message());
   }
 }
 
-OutputFolder::~OutputFolder() {
-  part_.reset();  // before what tells what of it is ours
-}
+OutputFolder::~OutputFolder() = default;
 
 FolderSurvey OutputFolder::look() const {
   FolderSurvey survey = look_into(path_, use_.content);
@@ -154,12 +146,11 @@ void OutputFolder::refuse_conflicts(const FolderSurvey& survey) const {
 }
 
 void OutputFolder::refuse(const std::string& name, bool changed) const {
-  throw WriteError(path_ + "/" + name,
-                   changed
-                       ? "it was changed since Plumb wrote it, so it is left alone; move it away, or name "
-                         "another folder with -o"
-                       : "that name is taken by a file that is not Plumb's, so it is left alone; move it "
-                         "away, or name another folder with -o");
+  throw NameTaken(path_ + "/" + name,
+                  changed ? "it was changed since Plumb wrote it, so it is left alone; move it away, or name "
+                            "another folder with -o"
+                          : "that name is taken by a file that is not Plumb's, so it is left alone; move it "
+                            "away, or name another folder with -o");
 }
 
 void OutputFolder::refuse_taken_names(const FolderSurvey& survey) {
@@ -176,7 +167,7 @@ void OutputFolder::refuse_taken_names(const FolderSurvey& survey) {
     if (!there || survey.ours.contains(name) || is_still(survey.folder.get(), name, listed)) {
       ++file;
     } else if (is_source(name)) {
-      ::unlinkat(part_->descriptor(), name.c_str(), 0);
+      ::unlinkat(made_.get(), name.c_str(), 0);
       file = written_.erase(file);
     } else {
       refuse(name, survey.manifest.manifest.files.contains(name));
@@ -202,25 +193,26 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
 }
 
 void OutputFolder::put(const std::string& name, std::string_view bytes) {
-  being_written_ = name;
-  const Beneath place = find_beneath(part_->descriptor(), name, true);
-  const int file = place.folder ? ::openat(place.folder.get(), place.name.c_str(),
-                                           O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)
-                                : -1;
-  if (file < 0) fail(name, errno);
-  int error = write_all(file, bytes);
+  const std::string place = std::string(folder_made) + "/";
+  Descriptor file = part_->create(place + name);
+  if (!file) fail(name, errno);
+  int error = write_all(file.get(), bytes);
   // Starts on the way to the disk what commit() waits for.
-  if (error == 0) ::sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE);
-  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0) ::sync_file_range(file.get(), 0, 0, SYNC_FILE_RANGE_WRITE);
+  if (::close(file.release()) != 0 && error == 0) error = errno;
   if (error != 0) fail(name, error);
-  written_[name] = {bytes.size(), sha256(bytes)};
-  being_written_.clear();
+  const ListedFile& listed = written_[name] = {bytes.size(), sha256(bytes)};
+  try {
+    part_->own({{name, listed}}, place);
+  } catch (const std::system_error& failure) {
+    fail(name, failure.code().value());
+  }
 }
 
 std::string OutputFolder::read(const std::string& name) const {
   const auto file = written_.find(name);
   const std::optional<std::string> bytes =
-      file != written_.end() ? bytes_of(part_->descriptor(), name, file->second) : std::nullopt;
+      file != written_.end() ? bytes_of(made_.get(), name, file->second) : std::nullopt;
   if (!bytes) throw WriteError(path_ + "/" + name, "it is not what was written");
   return *bytes;
 }
@@ -236,42 +228,64 @@ void OutputFolder::commit() {
   stop_if_interrupted();
   const Undivided undivided;
   try {
-    const FolderSurvey survey = look();
-    try {
-      refuse_other_manifest(survey);
-      refuse_taken_names(survey);
-    } catch (const OutputError& error) {
-      throw OutputError(error.what() + set_aside());
-    }
-    PlacedFiles files{*part_, path_, written_};
-    const bool fresh =
-        !survey.folder || (survey.ours.empty() && survey.others.empty() && !survey.manifest.there);
-    const bool beside = fs::path(part_->path()).parent_path() == fs::path(path_).parent_path();
-    if (!(beside && survey.others.empty() && !is_stood_in(path_) && (fresh || !use_.adds)) ||
-        !put_at_once(files, survey.folder, use_.content)) {
-      if (use_.adds) files.kept = survey.ours;
-      for (const auto& [name, listed] : written_) files.kept.erase(name);
-      files.ours = survey.ours;
-      files.listed = survey.manifest.manifest.all();
-      put_one_by_one(files);
-    }
+    place();
+  } catch (const NameTaken& error) {
+    throw OutputError(error.what() + set_aside());
   } catch (const std::system_error& error) {
     throw WriteError(path_, error.code().message());
+  }
+  try {
+    const std::string kept = part_->clear();
+    if (!kept.empty() && use_.remark)
+      use_.remark(fmt::format("{} came into {} while it was replaced: it is kept there", kept, path_));
+  } catch (const std::exception&) {
+    // All is in place, and what could not be cleared is so by a later command.
   }
   part_.reset();
 }
 
+void OutputFolder::place() {
+  const FolderSurvey survey = look();
+  refuse_other_manifest(survey);
+  refuse_taken_names(survey);
+  PlacedFiles files{*part_, made_.get(), path_, written_, survey.manifest.text, survey.ours};
+  const bool fresh =
+      !survey.folder || (survey.ours.empty() && survey.others.empty() && !survey.manifest.there);
+  const bool beside = fs::path(part_->path()).parent_path() == fs::path(path_).parent_path();
+  if (beside && survey.others.empty() && !is_stood_in(path_) && (fresh || !use_.adds) &&
+      put_at_once(files, survey.folder))
+    return;
+  if (use_.adds) files.kept = survey.ours;
+  for (const auto& [name, listed] : written_) files.kept.erase(name);
+  files.listed = survey.manifest.manifest.all();
+  put_one_by_one(files);
+}
+
 std::string OutputFolder::set_aside() {
-  const std::string place = path_ + ".new";
   try {
-    write_manifest(part_->descriptor(), {written_});
-    part_->unmark();
+    if (part_->path().empty()) return "";
+    write_manifest(*part_, written_);
+    const std::string place = move_aside(part_->path() + "/" + folder_made, path_ + ".new");
+    return place.empty() ? "" : "; what was made is in " + place;
   } catch (const std::system_error&) {
     return "";
   }
-  if (::renameat2(AT_FDCWD, part_->path().c_str(), AT_FDCWD, place.c_str(), RENAME_NOREPLACE) != 0) return "";
-  part_->let_go();
-  return fmt::format("; what was made is in {}", place);
+}
+
+void clear_leftovers_of(const std::string& path, const std::function<void(const std::string&)>& remark) {
+  const fs::path place = fs::weakly_canonical(fs::absolute(path));
+  const fs::path target = place.has_filename() ? place : place.parent_path();
+  const std::string name = target.filename().string();
+  Leftovers all = clear_leftovers(target.parent_path().string(), name);
+  const Leftovers inside = clear_leftovers(target.string(), name);
+  all.cleared += inside.cleared;
+  all.kept.insert(all.kept.end(), inside.kept.begin(), inside.kept.end());
+  if (all.cleared == 0 || !remark) return;
+  remark(fmt::format(
+      "cleared what {} that did not end left beside {}",
+      all.cleared == 1 ? "an earlier command" : fmt::format("{} earlier commands", all.cleared), path));
+  for (const std::string& kept : all.kept)
+    remark(fmt::format("{} was in it, and is not Plumb's: it is kept", kept));
 }
 
 }  // namespace plumb

@@ -28,6 +28,9 @@ struct FolderUse {
   std::function<void(const std::string&)> remark = {};
 };
 
+/// Clears what killed programs left behind on the way to the file or folder at `path`, and says so.
+void clear_leftovers_of(const std::string& path, const std::function<void(const std::string&)>& remark);
+
 /// A folder of results in the making. Files are written into a temporary folder, and are put in place
 /// together by commit(): whoever looks sees the old folder or the new one, and an interrupted program leaves
 /// the old one or none. Where the folder holds files of others, or is the one that the program stands in,
@@ -44,7 +47,7 @@ class OutputFolder {
   /// UsageError if a file that is read would be replaced.
   explicit OutputFolder(const std::string& path, FolderUse use = {});
 
-  /// Removes the temporary folder unless it was committed.
+  /// Removes the temporary folder.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -74,6 +77,7 @@ class OutputFolder {
   OutputFolder(const std::string& path, FolderUse use, bool only_checks);
 
   void put(const std::string& name, std::string_view bytes);
+  void place();
   FolderSurvey look() const;
   bool is_source(const std::string& name) const;
   void refuse_conflicts(const FolderSurvey& survey) const;
@@ -86,10 +90,10 @@ class OutputFolder {
   std::string path_;
   FolderUse use_;
   std::unique_ptr<PartFolder> part_;
+  Descriptor made_;           ///< the folder in it that is to be the new one
   ListedFiles ours_;          ///< when it was made
   FoundManifest began_with_;  ///< the manifest that was there then
   ListedFiles written_;
-  std::string being_written_;  ///< what may be there in part
 };
 
 }  // namespace plumb

@@ -13,15 +13,13 @@
 #include <system_error>
 #include <vector>
 
-#include "engine/output/file_writing.h"
-
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Below the temporary folder: what was taken away, and the manifests that are to come.
-constexpr std::string_view removed = "removed/";
+/// Below the temporary folder: what is made, what was taken away, and the manifests that are to come.
+const std::string made = std::string(folder_made) + "/", removed = "old/";
 constexpr const char* manifest_of_both = "both.json";
 constexpr const char* manifest_to_be = "new.json";
 
@@ -33,13 +31,14 @@ bool is_not_known_here(int error) {
   return error == EINVAL || error == ENOSYS || error == ENOTSUP;
 }
 
-void write_new(int folder, const char* name, std::string_view bytes) {
-  const int file = ::openat(folder, name, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-  if (file < 0) fail(errno);
-  int error = write_all(file, bytes);
-  if (error == 0) error = flush_to_disk(file);
-  if (::close(file) != 0 && error == 0) error = errno;
+void write_new(PartFolder& part, const std::string& name, const std::string& bytes) {
+  Descriptor file = part.create(name);
+  if (!file) fail(errno);
+  int error = write_all(file.get(), bytes);
+  if (error == 0) error = flush_to_disk(file.get());
+  if (::close(file.release()) != 0 && error == 0) error = errno;
   if (error != 0) fail(error);
+  part.own({{name, listed_as(bytes)}}, "");
 }
 
 /// Flushes the folders below an open one that files lie in, and that folder.
@@ -104,7 +103,7 @@ class Moves {
 
   /// Moves a file of the folder away into the temporary one. Returns the error number, or 0.
   int take(const std::string& name) {
-    const std::string to = std::string(removed) + name;
+    const std::string to = removed + name;
     const Beneath source = find_beneath(folder_, name), target = find_beneath(part_, to, true);
     if (!source.folder || !target.folder) return errno;
     return move(source, target, {to, name, Kind::taken});
@@ -118,9 +117,11 @@ class Moves {
                     folder = find_beneath(folder_, step->folder, true);
       const bool out = step->kind == Kind::put;
       const Beneath &from = out ? folder : part, &to = out ? part : folder;
-      all = ::renameat2(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str(),
-                        step->kind == Kind::exchanged ? RENAME_EXCHANGE : 0) == 0 &&
-            all;
+      all =
+          (step->kind == Kind::exchanged ? ::renameat2(from.folder.get(), from.name.c_str(), to.folder.get(),
+                                                       to.name.c_str(), RENAME_EXCHANGE) == 0
+                                         : move(from, to) == 0) &&
+          all;
     }
     done_.clear();
     return all;
@@ -133,17 +134,22 @@ class Moves {
     Kind kind;
   };
 
-  int move(const Beneath& from, const Beneath& to, Step step) {
+  /// Returns the error number, or 0.
+  static int move(const Beneath& from, const Beneath& to) {
     if (::renameat2(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str(),
-                    RENAME_NOREPLACE) != 0) {
-      if (!is_not_known_here(errno)) return errno;
-      struct stat status {};
-      if (::fstatat(to.folder.get(), to.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) return EEXIST;
-      if (::renameat(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str()) != 0)
-        return errno;
-    }
-    done_.push_back(std::move(step));
-    return 0;
+                    RENAME_NOREPLACE) == 0)
+      return 0;
+    if (!is_not_known_here(errno)) return errno;
+    struct stat status {};
+    if (::fstatat(to.folder.get(), to.name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) return EEXIST;
+    return ::renameat(from.folder.get(), from.name.c_str(), to.folder.get(), to.name.c_str()) == 0 ? 0
+                                                                                                   : errno;
+  }
+
+  int move(const Beneath& from, const Beneath& to, Step step) {
+    const int error = move(from, to);
+    if (error == 0) done_.push_back(std::move(step));
+    return error;
   }
 
   int part_, folder_;
@@ -159,51 +165,57 @@ void remove_empty_folders(int folder, const ListedFiles& files) {
     }
 }
 
+/// Moves files of an open folder and those below it to the same names in another one, where they are free.
+void move_files(int from, int to, const std::string& prefix = "") {
+  for (const Entry& entry : entries_of(from)) {
+    const std::string name = prefix + entry.name;
+    if (entry.folder) {
+      const Descriptor below(
+          ::openat(from, entry.name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+      if (below) move_files(below.get(), to, name + "/");
+    } else if (const Beneath target = find_beneath(to, name, true); target.folder) {
+      ::renameat2(from, entry.name.c_str(), target.folder.get(), target.name.c_str(), RENAME_NOREPLACE);
+    }
+  }
+}
+
 }  // namespace
 
-void write_manifest(int folder, const Manifest& manifest) {
-  write_new(folder, manifest_name, encode_manifest(manifest));
+void write_manifest(PartFolder& part, const ListedFiles& written) {
+  write_new(part, made + manifest_name, encode_manifest({written}));
 }
 
-bool is_made_on_the_way(FolderContent content, std::string_view name) {
-  if (content == FolderContent::copies || name == manifest_of_both || name == manifest_to_be) return true;
-  if (name.starts_with(removed)) name.remove_prefix(removed.size());
-  return name == manifest_name || belongs_to(FolderContent::results, name);
-}
-
-bool put_at_once(const PlacedFiles& files, const Descriptor& old, FolderContent content) {
-  const std::string part = files.part.path();
-  write_manifest(files.part.descriptor(), {files.written});
-  flush_files(files.part.descriptor(), files.written);
+bool put_at_once(const PlacedFiles& files, const Descriptor& old) {
+  const std::string part = files.part.path() + "/" + folder_made;
+  write_manifest(files.part, files.written);
+  flush_files(files.made, files.written);
   struct stat status {};
-  if (old && ::fstat(old.get(), &status) == 0) ::fchmod(files.part.descriptor(), status.st_mode & 07777);
+  if (old && ::fstat(old.get(), &status) == 0) ::fchmod(files.made, status.st_mode & 07777);
   if (old) ::flock(old.get(), LOCK_EX);
-  files.part.unmark();
-  const unsigned flags = old ? RENAME_EXCHANGE : 0;
-  if (const int error = rename_with(flags, part, files.path)) {
-    if (old && is_not_known_here(error)) return false;
-    throw WriteError(files.path, error);
-  }
-  std::string fault;
+  // Once it is in the temporary folder, what was ours is known to be.
+  files.part.own(files.ours, made);
+  if (!files.manifest.empty()) files.part.own({{manifest_name, listed_as(files.manifest)}}, made);
+  const unsigned flags = old ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+  int error = rename_with(flags, part, files.path);
+  if (!old && is_not_known_here(error)) error = rename_with(0, part, files.path);
+  if (old && is_not_known_here(error)) return false;
+  if (error != 0) throw WriteError(files.path, error);
   try {
     flush_parent(files.path);
-    if (old && !look_into(Descriptor(::openat(old.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)), content)
-                    .others.empty())
-      fault = "a file that is not Plumb's came into it while it was being replaced";
-  } catch (const std::system_error& error) {
-    fault = error.code().message();
+  } catch (const std::system_error& failure) {
+    const std::string fault = failure.code().message();
+    if (rename_with(flags, old ? part : files.path, old ? files.path : part) == 0 || !old)
+      throw WriteError(files.path, fault);
+    files.part.let_go();
+    throw WriteError(files.path, fmt::format("{}; what it held is in {}", fault, part));
   }
-  if (!fault.empty()) {
-    const bool back = rename_with(flags, old ? part : files.path, old ? files.path : part) == 0;
-    if (!back) files.part.let_go();
-    throw WriteError(files.path,
-                     back || !old ? fault : fmt::format("{}; what it held is in {}", fault, part));
+  if (!old) return true;
+  // It is in place: what goes wrong from here on is for a later command to mend.
+  try {
+    if (files.part.empty()) move_files(old.get(), files.made);
+  } catch (const std::exception&) {
   }
-  files.part.let_go();
-  if (old) {
-    ::flock(old.get(), LOCK_UN);
-    clear_leftover(part);
-  }
+  ::flock(old.get(), LOCK_UN);
   return true;
 }
 
@@ -213,26 +225,39 @@ void put_one_by_one(const PlacedFiles& files) {
   if (!folder) fail(errno);
   const int part = files.part.descriptor();
   ::flock(folder.get(), LOCK_EX);
-  flush_files(part, files.written);
+  flush_files(files.made, files.written);
+  for (const std::string& place : {made, removed}) files.part.own(files.ours, place);
   ListedFiles next = files.kept;
   next.insert(files.written.begin(), files.written.end());
 
   Moves moves(part, folder.get());
-  const auto stop = [&](const std::string& name, const std::string& reason) {
+  const auto stop = [&](const std::string& name, const std::string& reason, bool taken) {
+    const std::string place = files.part.path(), file = name.empty() ? files.path : files.path + "/" + name;
     const bool back = moves.undo();
     if (!back) files.part.let_go();
     remove_empty_folders(folder.get(), files.written);
-    throw WriteError(name.empty() ? files.path : files.path + "/" + name,
-                     back ? reason : fmt::format("{}; what was there is in {}", reason, files.part.path()));
+    if (!back) throw WriteError(file, fmt::format("{}; what was there is in {}", reason, place));
+    if (taken) throw NameTaken(file, reason);
+    throw WriteError(file, reason);
   };
   const auto check = [&](const std::string& name, int error) {
-    if (error != 0) stop(name, std::generic_category().message(error));
+    if (error != 0) stop(name, std::generic_category().message(error), error == EEXIST);
   };
+  const auto stop_if_changed = [&](const std::string& name, const ListedFile& old, const std::string& taken) {
+    if (!is_still(part, taken, old) && !is_still(part, removed + name, old))
+      stop(name, "it was changed while it was being replaced", true);
+  };
+  std::string there = files.manifest;
   const auto put_manifest = [&](const char* name, const Manifest& manifest) {
-    struct stat status {};
-    write_new(part, name, encode_manifest(manifest));
-    const bool there = ::fstatat(folder.get(), manifest_name, &status, AT_SYMLINK_NOFOLLOW) == 0;
-    check(manifest_name, moves.put(name, manifest_name, there));
+    const std::string bytes = encode_manifest(manifest);
+    write_new(files.part, name, bytes);
+    if (!there.empty()) {
+      files.part.own({{name, listed_as(there)}}, "");
+      files.part.own({{manifest_name, listed_as(there)}}, removed);
+    }
+    check(manifest_name, moves.put(name, manifest_name, !there.empty()));
+    if (!there.empty()) stop_if_changed(manifest_name, listed_as(there), name);
+    there = bytes;
   };
   try {
     // From here on each file that has either content is known to be ours, whatever happens.
@@ -241,18 +266,19 @@ void put_one_by_one(const PlacedFiles& files) {
     for (const auto& [name, file] : files.written) {
       if (is_still(folder.get(), name, file)) continue;
       const auto old = files.ours.find(name);
-      check(name, moves.put(name, name, old != files.ours.end()));
-      if (old != files.ours.end() && !is_still(part, name, old->second) &&
-          !is_still(part, std::string(removed) + name, old->second))
-        stop(name, "it was changed while it was being replaced");
+      check(name, moves.put(made + name, name, old != files.ours.end()));
+      if (old != files.ours.end()) stop_if_changed(name, old->second, made + name);
     }
     for (const auto& [name, file] : files.ours)
-      if (!next.contains(name)) check(name, moves.take(name));
+      if (!next.contains(name)) {
+        check(name, moves.take(name));
+        stop_if_changed(name, file, removed + name);
+      }
     flush_folders(folder.get(), files.written);
     put_manifest(manifest_to_be, {next});
     flush_folders(folder.get(), {});
   } catch (const std::system_error& error) {
-    stop("", error.code().message());
+    stop("", error.code().message(), false);
   }
   remove_empty_folders(folder.get(), files.listed);
 }

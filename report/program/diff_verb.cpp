@@ -5,6 +5,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
+#include "engine/interrupt.h"
 #include "engine/message.h"
 #include "engine/output/file_writing.h"
 #include "engine/output/output_folder.h"
@@ -18,22 +19,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The files of a folder by their names below it. Throws InputError for one that a folder of files with a
+/// manifest cannot have.
+std::vector<std::string> files_to_take(const fs::path& folder) {
+  std::vector<std::string> names;
+  const auto refuse = [](const fs::path& path, const std::string& why) {
+    throw InputError(one_line(fmt::format("{}: {}, so it cannot be accepted", path.string(), why)));
+  };
+  if (const FoundManifest found = find_manifest(open_folder(folder.string() + "/.").get());
+      !found.fault.empty())
+    refuse(folder / manifest_name, found.fault + ", and no other file may have that name");
+  try {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      stop_if_interrupted();
+      const std::string name = entry.path().lexically_relative(folder).generic_string();
+      if ((entry.is_directory() && !entry.is_symlink()) || name == manifest_name) continue;
+      if (!entry.is_regular_file()) refuse(entry.path(), "is no file, or a link to none");
+      if (!is_name_listed_as_it_is(name)) refuse(entry.path(), "has a name that is no UTF-8");
+      names.push_back(name);
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(one_line(fmt::format("{}: {}", error.path1().string(), reason(error))));
+  }
+  return names;
+}
+
 /// Puts B in the place of A; B stays.
 void accept(const fs::path& a, const fs::path& b, Talk& talk) {
   if (!fs::is_directory(b)) {
     write_file(a.string(), read_whole_file(b.string()));
     return;
   }
+  const std::vector<std::string> names = files_to_take(b);
   OutputFolder folder(a.string(), {.content = FolderContent::copies,
                                    .remark = [&talk](const std::string& text) { talk.remark(text); }});
-  try {
-    for (const auto& entry : fs::recursive_directory_iterator(b))
-      if (entry.is_regular_file() && entry.path() != b / manifest_name)
-        folder.write(entry.path().lexically_relative(b).generic_string(),
-                     read_whole_file(entry.path().string()));
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(one_line(fmt::format("{}: {}", error.path1().string(), reason(error))));
-  }
+  for (const std::string& name : names) folder.write(name, read_whole_file((b / name).string()));
   folder.commit();
 }
 
@@ -110,6 +130,7 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
     accept(options.input, options.other, talk);
     talk.line(fmt::format("accepted: {} is now what {} is", options.input, options.other));
   } else if (options.accept) {
+    clear_leftovers_of(options.input, [&talk](const std::string& text) { talk.remark(text); });
     talk.line("nothing to accept");
   }
   if (options.json) print_json(to_json(files, accepts));

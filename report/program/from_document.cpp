@@ -1,5 +1,7 @@
 #include "report/program/from_document.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "engine/errors.h"
@@ -38,6 +40,11 @@ Remade remake(const std::string& path, const std::string& folder) {
 }  // namespace
 
 ExitStatus report_from_document(const Options& options, Talk& talk) {
+  std::error_code ignored;
+  const bool folder_given = fs::is_directory(options.from, ignored);
+  if (folder_given || fs::path(options.from).extension() == ".html")
+    throw UsageError(fmt::format("--from {}: is a {}; name the results.json {} it", options.from,
+                                 folder_given ? "folder" : "page", folder_given ? "in" : "beside"));
   const std::string source = fs::absolute(options.from).parent_path().string();
   const fs::path folder = options.output.empty() ? source : options.output;
   const Remade made = remake(options.from, source);

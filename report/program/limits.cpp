@@ -122,7 +122,16 @@ void add_address_space(std::vector<Bound>& bounds) {
   const double used =
       number_in("/proc/self/statm").value_or(0) * static_cast<double>(::sysconf(_SC_PAGESIZE));
   bounds.push_back({Resource::memory, std::max(0.0, static_cast<double>(limit.rlim_cur) - used),
-                    "what is left of the address space (ulimit -v)", true});
+                    "what is left of the address space (ulimit -v)", true, true});
+}
+
+/// Counts what is mapped for writing, as memory and the stacks of threads are.
+void add_data(std::vector<Bound>& bounds) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  const double used = kibibyte * number_in("/proc/self/status", "VmData:").value_or(0);
+  bounds.push_back({Resource::memory, std::max(0.0, static_cast<double>(limit.rlim_cur) - used),
+                    "what is left of the data segment (ulimit -d)", false, true});
 }
 
 void add_disk(const std::string& folder, std::vector<Bound>& bounds) {
@@ -133,7 +142,7 @@ void add_disk(const std::string& folder, std::vector<Bound>& bounds) {
   if (::statvfs(there.c_str(), &system) != 0) return;
   bounds.push_back({Resource::disk,
                     static_cast<double>(system.f_bavail) * static_cast<double>(system.f_frsize),
-                    "what is free on the disk", false, folder});
+                    "what is free on the disk", false, false, folder});
 }
 
 std::string kept_heaviest;
@@ -168,6 +177,7 @@ std::vector<Bound> machine_bounds(const std::string& folder) {
   add_memory_of_machine(bounds);
   add_memory_of_control_groups(bounds);
   add_address_space(bounds);
+  add_data(bounds);
   add_disk(folder, bounds);
   return bounds;
 }
@@ -184,8 +194,12 @@ void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, c
                     amount_in_words(bound.resource, wanted), word(bound.resource), bound.source,
                     amount_in_words(bound.resource, bound.amount), describe(most),
                     most.keys.empty() ? "" : "; less with other " + most.keys);
-    // A full disk is no fault of the case.
+    // A full disk is no fault of the case, nor is too little for what every case takes.
     if (!bound.place.empty()) throw WriteError(bound.place, name + " " + why);
+    double of_any_case = bound.address_space ? estimate.drawing_address_space : 0;
+    for (const EstimatedPart& part : estimate.parts_of(bound.resource))
+      if (part.keys.empty()) of_any_case += part.amount;
+    if (bound.of_process && of_any_case > bound.amount) throw OutputError(name + ": " + why);
     throw InputError(name + ": " + why);
   }
 }

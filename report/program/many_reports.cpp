@@ -33,6 +33,12 @@ FolderUse use_of_index(Talk& talk) {
           }};
 }
 
+/// Whether an index may have a file or folder of this name.
+bool is_of_index(const std::string& name) {
+  return name == manifest_name || belongs_to(FolderContent::pages, name) ||
+         belongs_to(FolderContent::pages, name + "/x.png");
+}
+
 /// Draws the figures of an index and writes all of it.
 ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& folder,
                        const Options& options, Talk& talk) {
@@ -101,21 +107,27 @@ ExitStatus run_many(const std::vector<std::string>& cases, const Options& option
     throw UsageError("--baseline is for one case; with several, run each against its own");
   std::map<std::string, std::string> names;
   for (const std::string& path : cases) {
-    const auto [known, first] = names.emplace(fs::path(path).stem().string(), path);
+    const std::string name = folder_name_of(path);
+    if (is_of_index(name))
+      throw UsageError(
+          fmt::format("{}: its results would be in {}/{}, and the index over several cases has a "
+                      "{} there; rename it, or run it alone",
+                      path, folder, name, name));
+    const auto [known, first] = names.emplace(name, path);
     if (!first)
       throw UsageError(
           fmt::format("{} and {} would both be written to {}/{}", known->second, path, folder, known->first));
     const LoadedCase loaded = load_case(path, options.overrides);
     Talk nothing(true, true);
     check_estimate(loaded.spec, work_of_run(loaded.spec), path, folder, options, nothing);
-    const std::string own = (fs::path(folder) / fs::path(path).stem()).string();
+    const std::string own = (fs::path(folder) / name).string();
     OutputFolder::check(own, folder_for(loaded, for_one(options, path, own), talk));
   }
   OutputFolder index(folder, use_of_index(talk));
   std::vector<IndexedReport> reports;
   ExitStatus worst = ExitStatus::done;
   for (const std::string& path : cases) {
-    const std::string name = fs::path(path).stem().string();
+    const std::string name = folder_name_of(path);
     const std::string own = (fs::path(folder) / name).string();
     const std::optional<ino_t> before = file_number(own);
     worst = std::max(worst, run_one(for_one(options, path, own), talk));

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "engine/errors.h"
+#include "engine/output/file_writing.h"
 #include "render/gl_context.h"
 #include "render/text.h"
 
@@ -37,6 +38,16 @@ std::vector<std::string> source_files(const std::string& path) {
   return files;
 }
 
+std::string folder_name_of(const std::string& case_path) {
+  const std::string name = fs::path(case_path).stem().string();
+  if (!is_name_beneath(name))
+    throw UsageError(
+        fmt::format("{}: its results would be in a folder '{}', which is none of its own; rename "
+                    "it, or name a folder with -o",
+                    case_path, name));
+  return name;
+}
+
 FolderUse folder_for(const LoadedCase& loaded, const Options& options, Talk& talk) {
   return {.reads = files_read(loaded, options),
           .remark = [&talk](const std::string& text) { talk.remark(text); }};
@@ -49,6 +60,11 @@ FolderUse folder_from(const std::string& run_path, Talk& talk) {
 
 void refuse_to_overwrite(const std::string& option, const std::string& file,
                          const std::vector<std::string>& reads, const std::string& folder) {
+  const fs::path parent = fs::absolute(file).parent_path();
+  // The folder of results is there once it is written.
+  if (std::error_code error;
+      !fs::is_directory(parent, error) && (folder.empty() || fs::weakly_canonical(parent, error) != folder))
+    throw WriteError(file, fmt::format("there is no folder {}", parent.string()));
   struct stat own {
   }, read{};
   if (::stat(file.c_str(), &own) == 0 && S_ISREG(own.st_mode))

@@ -20,6 +20,10 @@ std::vector<std::string> source_files(const std::string& path);
 /// The file of a run, or of another of those of a folder: `name` in the folder if `path` is one.
 std::string file_in(const std::string& path, const char* name);
 
+/// The name of the folder for what a case makes: that of its file without the ending. Throws UsageError for
+/// one that is no name of a folder of its own, as "..".
+std::string folder_name_of(const std::string& case_path);
+
 /// The folder for the results of a case. What is noteworthy about it is said.
 FolderUse folder_for(const LoadedCase& loaded, const Options& options, Talk& talk);
 
@@ -27,7 +31,8 @@ FolderUse folder_for(const LoadedCase& loaded, const Options& options, Talk& tal
 FolderUse folder_from(const std::string& run_path, Talk& talk);
 
 /// Throws UsageError where the file that `option` names is one of those that are read, under whatever name,
-/// or lies in the folder that is about to be replaced (empty: none).
+/// or lies in the folder that is about to be replaced (empty: none). WriteError where there is no folder for
+/// it.
 void refuse_to_overwrite(const std::string& option, const std::string& file,
                          const std::vector<std::string>& reads, const std::string& folder = "");
 

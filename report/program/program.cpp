@@ -24,6 +24,7 @@
 #include "report/program/limits.h"
 #include "report/program/manual.h"
 #include "report/program/study_kinds.h"
+#include "report/program/surroundings.h"
 #include "report/program/verbs.h"
 #include "report/stages.h"
 
@@ -335,6 +336,8 @@ int parse_and_act(int count, const char* const* arguments) {
 
 int program(int count, const char* const* arguments) {
   try {
+    open_standard_files();
+    refuse_short_stack();
     catch_interrupts();
     const int status = parse_and_act(count, arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -58,9 +58,9 @@ Video::Video(const std::string& file, double frame_rate) : file_(file), place_(p
     const fs::path place = fs::absolute(place_);
     const std::string name = place.filename().string();
     try {
-      clear_leftovers(place.parent_path().string(), name,
-                      [&](std::string_view any) { return any == name || any == log_name; });
+      clear_leftovers(place.parent_path().string(), name);
       part_ = std::make_unique<PartFolder>(place.parent_path().string(), name);
+      for (const std::string& made : {name, std::string(log_name)}) part_->own(made);
     } catch (const std::system_error& error) {
       throw WriteError(file, error.code().value());
     }
@@ -77,6 +77,8 @@ Video::Video(const std::string& file, double frame_rate) : file_(file), place_(p
     // Not to finish what nobody waits for any more.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
+    // What is there already would be closed on the way to the program.
+    if (ends[0] == STDIN_FILENO) ::fcntl(STDIN_FILENO, F_SETFD, 0);
     ::dup2(ends[0], STDIN_FILENO);
     if (part_ && ::fchdir(part_->descriptor()) != 0) ::_exit(not_there);
     // Standard output may be where frames go, and an error of ours is one line.

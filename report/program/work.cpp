@@ -16,6 +16,7 @@
 #include "report/economy_figure.h"
 #include "report/given_json.h"
 #include "report/program/earlier_report.h"
+#include "report/program/output_use.h"
 #include "report/report_files.h"
 #include "report/study_pictures.h"
 
@@ -98,7 +99,7 @@ Run solve(const LoadedCase& loaded, Talk& talk) {
 
 std::string output_path(const Options& options, const LoadedCase& loaded) {
   if (!options.output.empty()) return options.output;
-  return (fs::path("output") / fs::path(loaded.source.file.name).stem()).string();
+  return (fs::path("output") / folder_name_of(loaded.source.file.name)).string();
 }
 
 Run find_run(const std::string& path) {

@@ -20,6 +20,10 @@ namespace fs = std::filesystem;
   for (;;) ::pause();
 }
 
+void remove_whole(const std::string& path) {
+  fs::remove_all(path);
+}
+
 std::string new_folder() {
   std::string folder = (fs::temp_directory_path() / "plumb-test-XXXXXX").string();
   EXPECT_NE(::mkdtemp(folder.data()), nullptr);
@@ -33,8 +37,8 @@ TEST(InterruptDeathTest, WorkThatDoesNotStopIsEndedAndWhatIsUnfinishedRemoved) {
     EXPECT_EXIT(
         {
           catch_interrupts();
-          begin_unfinished(half);
-          begin_unfinished(whole);
+          begin_unfinished(half, remove_whole);
+          begin_unfinished(whole, remove_whole);
           end_unfinished(whole);
           std::raise(signal);
           work_on();
@@ -61,7 +65,7 @@ TEST(InterruptDeathTest, NothingIsEndedBetweenOldAndNew) {
   EXPECT_EXIT(
       {
         catch_interrupts();
-        begin_unfinished(half);
+        begin_unfinished(half, remove_whole);
         {
           const Undivided undivided;
           std::raise(SIGINT);

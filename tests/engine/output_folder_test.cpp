@@ -1,5 +1,6 @@
 #include "engine/output/output_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -13,7 +14,9 @@
 #include <sstream>
 
 #include "engine/errors.h"
+#include "engine/interrupt.h"
 #include "engine/output/file_writing.h"
+#include "engine/output/put_in_place.h"
 #include "engine/output/sha256.h"
 
 namespace plumb {
@@ -381,10 +384,10 @@ TEST_F(OutputFolderTest, ClearsWhatKilledCommandsLeft) {
       folder.write("frames/0000.png", "half");
       for (;;) ::pause();
     }
-    // Each has a mark, a folder and a file in it.
-    for (int wait = 0; wait < 5000 && everything().size() < 4U * children.size(); ++wait) ::usleep(1000);
+    // Each has a mark, the folder to be, one in it and a file there.
+    for (int wait = 0; wait < 5000 && everything().size() < 5U * children.size(); ++wait) ::usleep(1000);
   }
-  ASSERT_EQ(everything().size(), 12U);
+  ASSERT_EQ(everything().size(), 15U);
   for (const pid_t child : children) {
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
@@ -428,6 +431,97 @@ TEST_F(OutputFolderTest, LeavesInAKilledCommandsFolderWhatIsNotOurs) {
   for (const auto& entry : fs::recursive_directory_iterator(root_))
     if (entry.path().filename() == "note.txt") found_text = text_at(entry.path());
   EXPECT_EQ(found_text, "mine");
+}
+
+TEST_F(OutputFolderTest, KeepsWhatCameIntoItInTheLastMoment) {
+  write(run_);
+  const FolderSurvey survey = look_into((root_ / "out").string(), FolderContent::results);
+  put(root_ / "out/note.txt", "mine");
+  put(root_ / "out/frames/more/note.txt", "mine too");
+  put(root_ / "out/probes.csv", "edited");
+  PartFolder part(root_.string(), "out");
+  const Descriptor file = part.create("new/probes.csv");
+  ASSERT_EQ(::write(file.get(), "fresh", 5), 5);
+  const ListedFiles written{{"probes.csv", {5, sha256("fresh")}}};
+  part.own(written, "new/");
+  const Descriptor made = open_folder(part.path() + "/new");
+  ASSERT_TRUE(
+      put_at_once({part, made.get(), (root_ / "out").string(), written, survey.manifest.text, survey.ours},
+                  survey.folder));
+  EXPECT_EQ(found(),
+            (Files{{"probes.csv", "fresh"}, {"note.txt", "mine"}, {"frames/more/note.txt", "mine too"}}));
+  const std::string left = part.clear();
+  EXPECT_EQ(left, (root_ / "out.new/new/probes.csv").string()) << "its name is taken by the new one";
+  EXPECT_EQ(text_at(left), "edited");
+  for (const std::string& name : everything()) EXPECT_EQ(name.find(".part-"), std::string::npos) << name;
+}
+
+TEST_F(OutputFolderTest, InItsPlaceIsNotTakenForALeftoverWhateverItIsCalled) {
+  write(run_);
+  fs::rename(root_ / "out", root_ / ".out.part-backup");
+  write({{"run.h5", "other"}});
+  EXPECT_EQ(text_at(root_ / ".out.part-backup/run.h5"), "states");
+  EXPECT_EQ(text_at(root_ / ".out.part-backup/frames/0000.png"), "first");
+}
+
+/// Leaves what a program that is killed with a signal, or ends by one, has made so far.
+template <typename Work>
+int status_of_child(const Work& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    work();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+TEST_F(OutputFolderTest, EndedFromOutsideLeavesNothingOfOursAndAllOfOthers) {
+  const int status = status_of_child([&] {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDERR_FILENO);
+    catch_interrupts();
+    OutputFolder folder((root_ / "out").string(), {.content = FolderContent::copies});
+    folder.write("sub/a.csv", "half");
+    OutputFolder alone((root_ / "alone").string());
+    alone.write("run.h5", "half");
+    for (const auto& entry : fs::directory_iterator(root_))
+      if (entry.path().filename().string().starts_with(".out.part-"))
+        put(entry.path() / "new/sub/mine", "precious");
+    std::raise(SIGTERM);
+    for (;;) ::pause();
+  });
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 130) << status;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(root_))
+    if (!entry.is_directory()) files.push_back(entry.path().lexically_relative(root_).generic_string());
+  EXPECT_EQ(files, std::vector<std::string>{"out.new/new/sub/mine"});
+}
+
+TEST_F(OutputFolderTest, WhatWasKilledIsClearedByTheNextFileOfItsName) {
+  for (const bool marked : {true, false}) {
+    status_of_child([&] {
+      PartFolder part(root_.string(), "t.csv");
+      if (marked) part.own("t.csv");
+      put(fs::path(part.path()) / "t.csv", "half");
+      ::_exit(0);
+    });
+    ASSERT_EQ(everything().size(), 3U);
+    write_file((root_ / "t.csv").string(), "whole");
+    EXPECT_EQ(text_at(root_ / "t.csv"), "whole");
+    if (marked) {
+      EXPECT_EQ(everything().size(), 1U);
+    } else {
+      EXPECT_EQ(text_at(root_ / "t.csv.new/t.csv"), "half") << "it was not said that it is ours";
+    }
+    for (const std::string& name : everything()) fs::remove_all(name);
+  }
+}
+
+TEST_F(OutputFolderTest, AtALinkToNothingSaysSo) {
+  fs::create_symlink("nowhere", root_ / "out");
+  expect_refused("out: cannot be written: it is a link to nothing, nowhere");
 }
 
 TEST_F(OutputFolderTest, TakesOverOnlyWhatIsOurs) {

@@ -4,12 +4,14 @@
    PLUMB_FAULT_AT     the number of the call that fails, from 1
    PLUMB_FAULT_ERROR  the error number that it fails with; 0: the program is killed instead
    PLUMB_FAULT_ON     1: all later calls that need room on the disk fail as well
+   PLUMB_FAULT_THREAD the number of the thread that cannot be started, from 1
    PLUMB_FAULT_LOG    the failed call is written to the end of this file */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -143,4 +145,11 @@ int unlinkat(int folder, const char* path, int flags) {
 }
 int rmdir(const char* path) {
   return fails_at_name("rmdir", AT_FDCWD, path, 0) ? -1 : REAL(rmdir)(path);
+}
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* given) {
+  static int threads;
+  const char* at = getenv("PLUMB_FAULT_THREAD");
+  if (at != NULL && ++threads == atoi(at)) return EAGAIN;
+  return REAL(pthread_create)(thread, attributes, work, given);
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "engine/output/part_folder.h"
 #include "render/gl_context.h"
 #include "render/plot_renderer.h"
 #include "render/png.h"
@@ -385,6 +386,55 @@ TEST_F(DiffProgram, AcceptReplacesTheBaselineAndSaysSo) {
   const Ended first = diff({"new.csv", "b/x.csv", "--accept"});
   EXPECT_EQ(first.status, 0) << first.err;
   EXPECT_EQ(read_text(folder / "new.csv"), "t,x\n0,2\n");
+}
+
+TEST_F(DiffProgram, AcceptTakesFilesOfAnyNameOrRefusesThemBeforeAnyWork) {
+  fs::remove_all(folder / "a");
+  const std::vector<std::string> names{"both.json",    "new.json",    "removed/x",        "old/x",
+                                       "new/new.json", ".plumb-part", "sub/manifest.json"};
+  for (const std::string text : {"first", "second", "third"}) {
+    for (const std::string& name : names) write_text(folder / "b" / name, text + name);
+    if (text == "third") write_text(folder / "a/mine.txt", "mine");
+    const Ended ended = diff({"a", "b", "--accept"});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    for (const std::string& name : names) EXPECT_EQ(read_text(folder / "a" / name), text + name);
+  }
+  EXPECT_EQ(read_text(folder / "a/mine.txt"), "mine");
+  const auto refused = [&](const std::string& says) {
+    const Ended ended = diff({"a", "b", "--accept", "--quiet"});
+    EXPECT_EQ(ended.status, 3) << ended.err;
+    expect_one_line(ended.err);
+    EXPECT_NE(ended.err.find(says), std::string::npos) << ended.err;
+    EXPECT_EQ(read_text(folder / "a/both.json"), "thirdboth.json");
+  };
+  write_text(folder / "b/\xff", "x");
+  refused("b/\\xff: has a name that is no UTF-8");
+  fs::remove(folder / "b/\xff");
+  fs::create_symlink("nowhere", folder / "b/link");
+  refused("b/link: is no file, or a link to none");
+  fs::remove(folder / "b/link");
+  write_text(folder / "b/both.json", "fourth");
+  write_text(folder / "b/manifest.json", "{\"name\": \"a web page\"}");
+  refused("b/manifest.json: it is none of Plumb");
+}
+
+TEST_F(DiffProgram, AcceptClearsWhatAKilledOneLeftEvenWithNothingToAccept) {
+  fs::remove_all(folder / "a");
+  ASSERT_EQ(diff({"a", "b", "--accept"}).status, 0);
+  for (const std::string name : {"a", "a/x.csv"}) {
+    const fs::path place = folder / name;
+    const pid_t child = ::fork();
+    if (child == 0) {
+      PartFolder part(place.parent_path().string(), place.filename().string());
+      part.create("half");
+      ::_exit(0);
+    }
+    ::waitpid(child, nullptr, 0);
+    const Ended ended = diff({name, name == "a" ? "b" : "b/x.csv", "--accept"});
+    EXPECT_NE(ended.out.find("nothing to accept"), std::string::npos) << ended.out << ended.err;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
+      EXPECT_EQ(entry.path().string().find(".part-"), std::string::npos) << entry.path();
+  }
 }
 
 TEST_F(DiffProgram, AcceptLeavesAFolderAloneThatIsNoOutput) {

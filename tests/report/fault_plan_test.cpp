@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdlib>
 #include <map>
+#include <thread>
 
 #include "engine/output/folder_survey.h"
 #include "engine/output/sha256.h"
@@ -150,10 +153,8 @@ class FaultPlan : public ::testing::Test {
     }
     const Ended next = plumb_in(folder_.path(), arguments);
     EXPECT_EQ(next.status, 0) << next.err;
-    Files now = files_below(below_);
+    const Files now = files_below(below_);
     expect_sound(now);
-    // A comparison that has nothing to accept any more clears nothing.
-    if (reads_what_it_changes_) now = without_leftovers(now);
     EXPECT_TRUE(same(without_empty_folders(now), without_empty_folders(after)))
         << names(now) << "\nafter:" << names(after);
   }
@@ -250,6 +251,22 @@ TEST_F(SolvedCase, AsOneFileIsOldOrNewWhicheverCallFailsAndWhereverOneIsKilled) 
       "solve", case_path("pendulum.toml"), "--quiet", "--csv", "below/out.csv", "--set", "time.end=0.02"};
   try_all(csv, before, {.error = EIO});
   try_all(csv, before, {.error = 0});
+}
+
+TEST(FaultPlanOfThreads, AThreadThatTheRendererCannotStartIsSaidAndNotWaitedFor) {
+  const unsigned threads = std::min(16U, std::thread::hardware_concurrency());
+  if (threads < 2) GTEST_SKIP() << "it draws without threads";
+  const TemporaryFolder folder;
+  // One watches for signals, and as many as the renderer starts are tried first.
+  const Ended ended =
+      run_command({"timeout", "60", "env", "LD_PRELOAD=" PLUMB_FAULT_LIBRARY, "PLUMB_GL=osmesa",
+                   fmt::format("PLUMB_FAULT_THREAD={}", 1 + threads + 1), PLUMB_PROGRAM, "doctor"},
+                  folder.path());
+  EXPECT_EQ(ended.status, 5) << ended.err;
+  expect_one_line(ended.err);
+  EXPECT_NE(ended.err.find(fmt::format("of the {} threads of the renderer could be", threads)),
+            std::string::npos)
+      << ended.err;
 }
 
 }  // namespace fault_plan_test

@@ -188,6 +188,21 @@ TEST_F(KeptVideo, IsReplacedOnlyByOneThatIsWhole) {
     EXPECT_EQ(entry.path().string().find(".part-"), std::string::npos) << entry.path();
 }
 
+TEST_F(KeptVideo, IsMadeAgainWhereOneWasKilled) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    made_by("echo half >\"$last\"; kill -9 $PPID; cat >/dev/null\n");
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status)) << status;
+  EXPECT_EQ(made_by("cat >\"$last\"\n"), "");
+  EXPECT_EQ(read_text(folder_ / "clip.mp4"), "onetwo");
+  for (const auto& entry : fs::directory_iterator(folder_.path()))
+    EXPECT_EQ(entry.path().string().find("clip.mp4."), std::string::npos) << entry.path();
+}
+
 TEST_F(KeptFiles, AreThoseThatAStudysJournalLeadsTo) {
   write_text(folder_ / "precious.txt", "years");
   const std::vector<std::string> study{"study", "case.toml", "-o", "s"};

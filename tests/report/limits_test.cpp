@@ -202,6 +202,34 @@ TEST_F(LimitedProgram, RefusesWhatIsWrongInTheEnvironmentWhereItMatters) {
   EXPECT_NE(plumb("check a.toml", "PLUMB_LG=egl").err.find("did you mean PLUMB_GL?"), std::string::npos);
 }
 
+TEST_F(LimitedProgram, NamesALimitOfTheProcessThatIsTooLowForAnyCase) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "a sanitizer needs more address space than there is";
+#endif
+  for (const std::string limit : {"-d 5000", "-d 20000", "-d 60000", "-s 32", "-s 64", "-s 512", "-v 100000"})
+    for (const std::string arguments :
+         {"run a.toml -o out --quiet", "doctor --quiet", "check a.toml --quiet"}) {
+      if (arguments[0] == 'd' && limit[1] == 'v') continue;
+      const Ended ended = plumb(arguments, "ulimit " + limit + ";");
+      EXPECT_EQ(ended.status, 5) << arguments << " with " << limit << ": " << ended.err;
+      expect_one_line(ended.err);
+      EXPECT_NE(ended.err.find("ulimit " + limit.substr(0, 2)), std::string::npos) << ended.err;
+      expect_nothing_left();
+    }
+}
+
+TEST_F(LimitedProgram, TakesNoFileOfItsOwnForOneThatIsClosed) {
+  for (const std::string closed : {"<&-", ">&-", "2>&-", "<&- >&- 2>&-"}) {
+    const bool says = closed.find(">&-") == std::string::npos || closed == "2>&-";
+    EXPECT_EQ(plumb("solve a.toml -o out " + closed).status, says ? 0 : 5) << closed;
+    const std::string run = read_text(folder_ / "out/run.h5");
+    EXPECT_TRUE(run.starts_with("\x89HDF")) << closed << ": " << run.substr(0, 60);
+    EXPECT_EQ(plumb("solve no.toml -o out --csv t.csv " + closed).status, 3) << closed;
+    fs::remove_all(folder_ / "out");
+    expect_nothing_left();
+  }
+}
+
 TEST_F(LimitedProgram, EndsInOneLineWithAnyLimitOfItsAddressSpace) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "a sanitizer needs more address space than there is";

@@ -91,6 +91,32 @@ TEST_F(SeveralReports, CasesOfOneNameAreRefused) {
   EXPECT_NE(ended.err.find("would both be written to all/one"), std::string::npos) << ended.err;
 }
 
+TEST_F(SeveralReports, CasesThatHaveTheNameOfAFileOfTheIndexAreRefused) {
+  for (const std::string name :
+       {"manifest.json", "index.html", "results.json", "junit.xml", "summary.md", "figures"}) {
+    write_text(folder_ / (name + ".toml"), read_text(folder_ / "one.toml"));
+    const Ended ended = plumb({"run", "one.toml", name + ".toml", "-o", "all"});
+    EXPECT_EQ(ended.status, 2) << name;
+    expect_one_line(ended.err);
+    EXPECT_NE(ended.err.find(name + ".toml: its results would be in all/" + name), std::string::npos)
+        << ended.err;
+  }
+  for (const std::string name : {"...toml", "..toml"}) {
+    write_text(folder_ / name, read_text(folder_ / "one.toml"));
+    for (const auto& arguments :
+         {std::vector<std::string>{"run", "one.toml", "./" + name},
+          std::vector<std::string>{"run", "./" + name}, std::vector<std::string>{"solve", "./" + name}}) {
+      const Ended ended = plumb(arguments);
+      EXPECT_EQ(ended.status, 2) << name;
+      expect_one_line(ended.err);
+      EXPECT_NE(ended.err.find("./" + name + ": its results would be in a folder"), std::string::npos)
+          << ended.err;
+    }
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "all"));
+  EXPECT_FALSE(fs::exists(folder_ / "output"));
+}
+
 TEST_F(SeveralReports, ReportThatIsNotThereIsRefused) {
   const Ended ended = plumb({"report", "a", "b", "-o", "all"});
   EXPECT_EQ(ended.status, 3);
