@@ -10,6 +10,7 @@
 #include "engine/input/place.h"
 #include "engine/interrupt.h"
 #include "engine/message.h"
+#include "engine/output/document_sum.h"
 #include "render/apng.h"
 #include "render/png_file.h"
 #include "report/document.h"
@@ -107,7 +108,7 @@ Coverage read_coverage(const Document& json) {
 
 }  // namespace
 
-Document read_document(const std::string& path) {
+Document read_document(const std::string& path, bool may_be_changed) {
   const std::string text = read_whole_file(path);
   const auto document = parse_json<Document>(text, path);
   if (!document.is_object() || !document.contains("schema_version") ||
@@ -120,6 +121,7 @@ Document read_document(const std::string& path) {
   for (const char* key : run_keys)
     if (!document.contains(key))
       throw InputError(fmt::format("{}: {} is missing: not the results of a run", path, key));
+  if (!may_be_changed) refuse_changed(document, path, false);
   return document;
 }
 
