@@ -90,6 +90,12 @@ std::string picture_error(double estimate, bool holds) {
   return std::string(word(economy_verdict(economy).status));
 }
 
+std::string without_choice(bool left) {
+  plumb::Run run = run_with("a");
+  if (left) run.provenance.emplace_back(left_to_scene, "");
+  return status_of(evaluate(run, {}).verdicts, "picture error");
+}
+
 struct Need {
   double estimate = 0.1, true_error = 0.1, doubt = 0.01, seconds = 1e-3, safe = 1;
   bool certified = true;
@@ -285,6 +291,9 @@ const std::vector<Row>& rows() {
       {"a picture without an estimate is not judged", picture_error(-1, true), "not run"},
       {"a picture whose error is not a number is not judged", picture_error(nan, true), "not run"},
       {"a picture infinitely far off does not hold", picture_error(inf, true), "failed"},
+
+      {"a run that was left to its scene is not judged without its choice", without_choice(true), "not run"},
+      {"a run that was not has no picture error to be judged", without_choice(false), "no verdict"},
 
       {"a picture of known truth is judged", economical("truth", {}), "passed"},
       {"a picture of unknown truth is not", economical("truth", {.true_error = -1}), "not run"},
