@@ -1,6 +1,7 @@
 #include "report/document.h"
 
 #include "engine/integrate/method_info.h"
+#include "engine/output/document_sum.h"
 #include "engine/study/budget_json.h"
 #include "engine/study/uncertainty_json.h"
 #include "report/case_json.h"
@@ -146,6 +147,7 @@ Document document_of(const Results& results, const Pictures& pictures) {
 }
 
 std::string to_json(const Document& document) {
+  if (document.contains("schema_version")) return to_summed_text(document, 1);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -14,12 +14,13 @@ using Document = nlohmann::ordered_json;
 /// The document of a run that was evaluated and drawn.
 Document document_of(const Results& results, const Pictures& pictures);
 
-/// The text of results.json.
+/// The text of results.json, with its check sum.
 std::string to_json(const Document& document);
 
 /// Reads results.json. Throws InputError for a file that cannot be read, is not JSON, is of a later version
-/// or is not that of a run.
-Document read_document(const std::string& path);
+/// or is not that of a run, and unless it may be one for a file that was changed after it was written. One
+/// without a check sum is taken as it is.
+Document read_document(const std::string& path, bool may_be_changed = false);
 
 /// The verdicts of a document, in its order.
 std::vector<Verdict> verdicts_of(const Document& document);

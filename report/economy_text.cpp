@@ -87,6 +87,17 @@ std::vector<std::string> explain(const Economy& economy) {
   return lines;
 }
 
+Verdict verdict_without_choice(double tolerance) {
+  Economy nothing;
+  nothing.tolerance = tolerance;
+  Verdict verdict = economy_verdict(nothing);
+  verdict.detail = verdict.message =
+      "the run was left to its scene, and what that needs is not at hand: choice.json is missing, or of "
+      "another "
+      "run or version";
+  return verdict;
+}
+
 Verdict economy_verdict(const Economy& economy) {
   Verdict verdict;
   verdict.kind = VerdictKind::verification;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/output/given_probes.h"
 #include "report/series_error.h"
 
 namespace plumb {
@@ -26,9 +27,14 @@ void add_distances(const Run& run, std::size_t k, std::vector<GivenDistance>& re
   Demand demand{times_of_both(reported_outputs, given_outputs), spec.coverage, "the two runs", "", "", 0};
   const std::vector<double> claimed = demand.claimed_times();
   const SampledRun given = sample_of(run, k, claimed), reported = sample_of(run, {}, claimed);
+  const bool repeats = same_run(run.probes, probe(run.loaded.given_runs[k]));
   for (const Column& column : given.values.columns) {
     const Column* other = reported.values.find(column.name);
     if (other == nullptr) continue;
+    Magnitude scale;
+    for (const ProbeTable* values : {&given.values, &reported.values})
+      for (const Column& any : values->columns)
+        if (any.unit == column.unit) scale.add(any.values);
     demand.column = column.name;
     demand.unit = column.unit;
     const auto tolerance = spec.tolerances.find(column.name);
@@ -36,7 +42,7 @@ void add_distances(const Run& run, std::size_t k, std::vector<GivenDistance>& re
         tolerance != spec.tolerances.end() ? tolerance->second : std::numeric_limits<double>::infinity();
     const Covered covered = cover(
         demand, {{run_name(run, k), given_outputs, given}, {run_name(run, {}), reported_outputs, reported}});
-    GivenDistance distance{k, column.name, column.unit, covered.coverage, {}, {}, 0, 0, 0};
+    GivenDistance distance{k, column.name, column.unit, covered.coverage, {}, {}, 0, 0, 0, scale, repeats};
     for (std::size_t row = 0; row < covered.times.size(); ++row) {
       distance.times.push_back(claimed[covered.times[row]]);
       distance.difference.push_back(column.values[covered.rows[0][row]] -
@@ -86,6 +92,11 @@ std::vector<Verdict> distance_verdicts(const Run& run, const std::vector<GivenDi
     if (run.trajectory.outcome != Outcome::completed) {
       verdict.detail = fmt::format("the run of {} ended early, {} at {:.4g} s", reported,
                                    word(run.trajectory.outcome), run.trajectory.end_time);
+    } else if (const std::string failure = failure_of(run, distance.given_run); !failure.empty()) {
+      verdict.detail = failure;
+    } else if (distance.repeats) {
+      verdict.detail = fmt::format("the numbers of {} are those of {}: one run does not confirm itself",
+                                   given.name, reported);
     } else if (!distance.coverage.enough()) {
       verdict.detail = distance.coverage.lacking;
     } else {
@@ -93,6 +104,7 @@ std::vector<Verdict> distance_verdicts(const Run& run, const std::vector<GivenDi
       verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
       verdict.detail = fmt::format("the greatest at {:.4g} s; {}", distance.max_time,
                                    in_words(distance.coverage, distance.unit));
+      hold_to_scale(verdict, distance.scale, "either run");
     }
     verdict.message = verdict.status == VerdictStatus::not_run
                           ? verdict.detail

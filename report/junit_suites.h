@@ -29,7 +29,8 @@ std::vector<JunitSuite> suites_of(const std::vector<Verdict>& verdicts);
 /// The suites of a run: one for the integration before those of its verdicts.
 std::vector<JunitSuite> suites_of(const nlohmann::ordered_json& document);
 
-/// The text of junit.xml; `name` is that of the whole.
-std::string junit_xml(const std::string& name, const std::vector<JunitSuite>& suites);
+/// The text of junit.xml; `name` is that of the whole. Where there is no test case there is one that was
+/// skipped.
+std::string junit_xml(const std::string& name, std::vector<JunitSuite> suites);
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/errors.h"
+#include "engine/output/document_sum.h"
 #include "render/image_difference.h"
 #include "report/case_json.h"
 #include "report/changes.h"
@@ -60,6 +61,20 @@ Verdict picture_verdict(const PictureMove& move) {
   verdict.status = move.moved ? VerdictStatus::failed : VerdictStatus::passed;
   verdict.detail = verdict.message = move.in_words;
   verdict.reason = "Pictures of one renderer must be the same; of another, not visibly different.";
+  return verdict;
+}
+
+/// Of a baseline that was changed after it was written, which vouches for nothing that did not move.
+Verdict changed_baseline() {
+  Verdict verdict;
+  verdict.kind = VerdictKind::regression;
+  verdict.status = VerdictStatus::failed;
+  verdict.name = "baseline: check sum";
+  verdict.criterion = "the baseline is as it was written";
+  verdict.value = 1;
+  verdict.unit = "1";
+  verdict.detail = verdict.message = fmt::format(
+      "it was changed after it was written; without its key {0} it is taken as it is", check_sum_key);
   return verdict;
 }
 
@@ -136,6 +151,7 @@ void hold_against_baseline(Document& document, const Document& baseline, const s
   for (const ProbeMove& move : probe_moves(baseline, document)) verdicts.push_back(move_verdict(move, share));
   for (const PictureMove& move : pictures) verdicts.push_back(picture_verdict(move));
   if (verdicts.empty()) verdicts.push_back(nothing_compared());
+  if (sum_in(baseline) == DocumentSum::wrong) verdicts.push_back(changed_baseline());
   if (auto kept = kept_verdict(verdicts_of(baseline), verdicts_of(document)))
     verdicts.insert(verdicts.begin(), std::move(*kept));
   for (const Verdict& verdict : verdicts) document["verdicts"].push_back(verdict_json(verdict));

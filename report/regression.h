@@ -19,9 +19,10 @@ void refuse_other_case(const Document& baseline, const std::string& path, const 
 /// Adds to a report what became of it since an earlier one of the same case: verdicts of regression, which
 /// say that nothing moved and never that anything is right, and under `baseline` where the earlier report is,
 /// when it was made, and what changed. What either lacks has moved; where there is nothing to compare, that
-/// is a verdict that was not run. The outcome is left as it is; all_criteria_met and the headline take the
-/// verdicts in. `share`, a finite number, is what each column may move by, of its largest value. Throws
-/// InputError for a baseline of another case.
+/// is a verdict that was not run; a baseline that was changed after it was written
+/// is one that failed, unless it has no check sum. The outcome is left as it is; all_criteria_met and the
+/// headline take the verdicts in. `share`, a finite number, is what each column may move by, of its largest
+/// value. Throws InputError for a baseline of another case.
 void hold_against_baseline(Document& document, const Document& baseline, const std::string& path,
                            double share, const std::vector<PictureMove>& pictures = {});
 

@@ -121,7 +121,11 @@ Results evaluate(const Run& run, const Stages& stages, const Study* study, const
   results.distances = given_distances(run);
   for (Verdict& verdict : distance_verdicts(run, results.distances))
     results.verdicts.push_back(std::move(verdict));
-  if (economy) results.verdicts.push_back(economy_verdict(*economy));
+  const auto left = [](const auto& entry) { return entry.first == left_to_scene; };
+  if (economy)
+    results.verdicts.push_back(economy_verdict(*economy));
+  else if (std::any_of(run.provenance.begin(), run.provenance.end(), left))
+    results.verdicts.push_back(verdict_without_choice(run.loaded.spec.scene.tolerance));
   results.outcome = judged_outcome(results);
   return results;
 }

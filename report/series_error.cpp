@@ -1,10 +1,28 @@
 #include "report/series_error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace plumb {
 namespace {
+
+/// Of all that is compared in one unit: beside a tip that moves, one that hardly does so is held to the same.
+Magnitude compared_scale(const Reference& reference, const ReferenceUse& use, const std::string& unit,
+                         double length) {
+  Magnitude scale;
+  for (const Comparison& pair : use.compare) {
+    const ReferenceSeries& series = *reference.find(pair.series);
+    if (series.unit != unit) continue;
+    std::vector<double> claimed;
+    for (std::size_t k = 0; k < reference.times.size(); ++k)
+      if (use.coverage.has(reference.times[k])) claimed.push_back(series.values[k]);
+    scale.add(claimed);
+  }
+  if (scale.size == 0 && unit == "m") scale.size = length;
+  return scale;
+}
 
 void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vector<SeriesError>& result) {
   const Case& spec = run.loaded.spec;
@@ -36,6 +54,7 @@ void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vecto
                                    error.expected.back());
       }
       const DifferenceNorms norms = norms_of(error.times, error.difference);
+      error.scale = compared_scale(reference, use, error.unit, spec.cable.length);
       error.max = norms.max;
       error.max_time = norms.max_time;
       error.rms = norms.rms;
@@ -51,6 +70,13 @@ const GivenRun* given_of(const Run& run, std::optional<std::size_t> given_run) {
 }
 
 }  // namespace
+
+void Magnitude::add(const std::vector<double>& values) {
+  if (values.empty()) return;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  size = std::max({size, std::abs(*least), std::abs(*most)});
+  reach = std::max(reach, *most - *least);
+}
 
 DifferenceNorms norms_of(const std::vector<double>& times, const std::vector<double>& difference) {
   DifferenceNorms norms;
@@ -69,6 +95,17 @@ DifferenceNorms norms_of(const std::vector<double>& times, const std::vector<dou
   for (const double x : difference) squares += x / norms.max * (x / norms.max);
   norms.rms = norms.max * std::sqrt(squares / static_cast<double>(difference.size()));
   return norms;
+}
+
+std::string failure_of(const Run& run, std::optional<std::size_t> given_run) {
+  if (!given_run)
+    return run.trajectory.outcome == Outcome::completed
+               ? ""
+               : fmt::format("the run ended early, {} at {:.4g} s", word(run.trajectory.outcome),
+                             run.trajectory.end_time);
+  const GivenRun& given = run.loaded.given_runs[*given_run];
+  if (!given.ending.failed()) return "";
+  return fmt::format("the run of {} failed, {}", run_name(run, given_run), given.ending.in_words());
 }
 
 std::string given_name(const SeriesError& error, const Case& spec) {

@@ -9,6 +9,15 @@
 
 namespace plumb {
 
+/// What a limit on a distance must be small against to say anything.
+struct Magnitude {
+  double size = 0;   ///< greatest |value|; 0: nothing is known
+  double reach = 0;  ///< greatest distance of two values of one series
+
+  /// Takes in one more series.
+  void add(const std::vector<double>& values);
+};
+
 /// How far one column of a run is from one series of a reference. Distances are in `unit`, run minus
 /// reference.
 struct SeriesError {
@@ -24,6 +33,9 @@ struct SeriesError {
   double max = 0;                  ///< greatest |difference|
   double max_time = 0;             ///< s, where it is
   double rms = 0;
+  /// Of all that is compared with the reference in that unit, at the claimed times; where that is 0
+  /// throughout, of positions the length of the cable.
+  Magnitude scale;
 };
 
 /// The errors of every comparison of the case, in its order: those of the run that is reported, and then
@@ -38,6 +50,9 @@ const std::vector<double>& outputs_of(const Run& run, std::optional<std::size_t>
 
 /// What a run is called: "Plumb", or the name of a given one.
 std::string run_name(const Run& run, std::optional<std::size_t> given_run);
+
+/// Why a run vouches for nothing: "the run ended early, unstable at 0.3 s"; empty where it does.
+std::string failure_of(const Run& run, std::optional<std::size_t> given_run);
 
 /// "" for the run that is reported, else the name of the given one.
 std::string given_name(const SeriesError& error, const Case& spec);

@@ -68,8 +68,11 @@ std::optional<Verdict> order_verdict(const WorkPrecision& study, const StudyCurv
                                                      curve.label, order_tolerance);
   verdict.unit = "1";
   verdict.limit = order_tolerance;
-  verdict.value = std::max({0.0, curve.observed.order - *stated, lowest - curve.observed.order});
-  verdict.status = verdict.value <= verdict.limit ? VerdictStatus::passed : VerdictStatus::failed;
+  // Of an order that is not a number the distance must not be 0.
+  verdict.value = std::isfinite(curve.observed.order)
+                      ? std::max({0.0, curve.observed.order - *stated, lowest - curve.observed.order})
+                      : curve.observed.order;
+  verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
   verdict.detail =
       fmt::format("steps from {:.3g} to {:.3g} s", curve.observed.largest_step, curve.observed.smallest_step);
   verdict.message = fmt::format("order {:.3f} ± {:.3f} over {}", curve.observed.order,

@@ -53,10 +53,9 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     verdict.coverage = error.coverage;
     if (const std::string other = difference(reference.cable, run.loaded.spec.cable); !other.empty()) {
       verdict.detail = "the reference is for another cable: " + other;
-    } else if (given.empty() && run.trajectory.outcome != Outcome::completed) {
+    } else if (const std::string failure = failure_of(run, error.given_run); !failure.empty()) {
       // What came before may be right by chance; a run that failed vouches for nothing.
-      verdict.detail = fmt::format("the run ended early, {} at {:.4g} s", word(run.trajectory.outcome),
-                                   run.trajectory.end_time);
+      verdict.detail = failure;
     } else if (!error.coverage.enough()) {
       verdict.detail = error.coverage.lacking;
     } else {
@@ -64,6 +63,7 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
       verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
       verdict.detail =
           fmt::format("the greatest at {:.4g} s; {}", error.max_time, in_words(error.coverage, error.unit));
+      hold_to_scale(verdict, error.scale, "the reference");
     }
     verdict.message = verdict.status == VerdictStatus::not_run
                           ? verdict.detail
@@ -72,6 +72,23 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     result.push_back(std::move(verdict));
   }
   return result;
+}
+
+void hold_to_scale(Verdict& verdict, const Magnitude& scale, const std::string& of) {
+  if (verdict.status != VerdictStatus::passed) return;
+  const double greatest = std::max(scale.size, scale.reach);
+  if (greatest > 0 && verdict.limit > greatest) {
+    verdict.status = VerdictStatus::not_run;
+    verdict.value = -1;
+    verdict.detail = fmt::format(
+        "its limit of {:.3g} {} is more than {} ever is, {:.3g} {}: a run that does nothing would be within "
+        "it",
+        verdict.limit, verdict.unit, of, greatest, verdict.unit);
+  } else if (scale.reach > 0 && verdict.limit >= scale.reach) {
+    verdict.detail +=
+        fmt::format("; {} moves by {:.3g} {} only: one that stands still may be within the limit", of,
+                    scale.reach, verdict.unit);
+  }
 }
 
 bool within(double value, double limit) {

@@ -39,8 +39,13 @@ std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed"
 
 /// A verdict for each comparison of the case: validation against published figures, verification against
 /// computed ones, of the run that is reported and of each given one. Not run where the run did not complete,
-/// is of another cable, or covers too little of what the case claims.
+/// is of another cable, or covers too little of what the case claims, or where a run that does nothing would
+/// be within the tolerance.
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors);
+
+/// Takes back that a distance passed where its limit is more than all that it is a distance from, and says so
+/// where it is more than that moves. `of` is what has that scale: "the reference".
+void hold_to_scale(Verdict& verdict, const Magnitude& scale, const std::string& of);
 
 /// True for a distance that is a finite number of at least 0 and no greater than its limit.
 bool within(double value, double limit);

@@ -7,7 +7,9 @@
 #include "engine/errors.h"
 #include "engine/input/given_table.h"
 #include "engine/message.h"
+#include "engine/output/checked_file.h"
 #include "engine/output/hdf5.h"
+#include "engine/output/stored_parts.h"
 
 namespace plumb {
 namespace {
@@ -20,6 +22,7 @@ class Hdf5Table final : public GivenTable {
   explicit Hdf5Table(const NamedText& file) : GivenTable(file.name) {
     try {
       reader_.emplace(file.text);
+      read_ending(file.text);
       for (const std::string& path : reader_->series())
         columns_.push_back({path, reader_->unit(path), at(path)});
     } catch (const Interrupted&) {
@@ -57,6 +60,21 @@ class Hdf5Table final : public GivenTable {
   }
 
  private:
+  /// Of a run file of Plumb's: how the run ended, or that which it was made of.
+  void read_ending(const std::string& bytes) {
+    if (!reader_->has("format") || !reader_->has("format_version") || reader_->text("format") != "plumb-run")
+      return;
+    without_check_sum(bytes, "run file");
+    for (const std::string group : {"", "given/"}) {
+      if (!reader_->has(group + "outcome")) continue;
+      ending_ = {reader_->text(group + "outcome"), one_line(reader_->text(group + "message"))};
+      stored_outcome(ending_.outcome);
+    }
+    if (reader_->has("outcome"))
+      own_case_ = std::make_shared<const Case>(load_changed(read_source(*reader_), {}).spec);
+    if (ending_.failed()) notes_.push_back("the run in it failed, " + ending_.in_words());
+  }
+
   [[noreturn]] static void fail(const std::string& place, const std::string& what) {
     throw InputError(one_line(place + ": " + what));
   }

@@ -22,6 +22,10 @@ class GivenTable {
 
   const std::string& name() const { return name_; }
   const std::vector<Column>& columns() const { return columns_; }
+  /// The case of a run file of Plumb's own, as far as its motion depends on it; else nothing.
+  const std::shared_ptr<const Case>& own_case() const { return own_case_; }
+  /// How the run in it ended, where the file says so.
+  const GivenEnding& ending() const { return ending_; }
   /// How the file was read, where that is not plain.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -41,6 +45,8 @@ class GivenTable {
 
   std::string name_;
   std::vector<Column> columns_;
+  GivenEnding ending_;
+  std::shared_ptr<const Case> own_case_;
   std::vector<std::string> notes_;
 
  private:
@@ -56,7 +62,8 @@ std::unique_ptr<GivenTable> read_given_table(const NamedText& file);
 std::unique_ptr<GivenTable> read_given_csv(const NamedText& file);
 
 /// HDF5: each data set of one dimension is a column, named by its path, with the unit in its attribute
-/// `unit`. Those of Plumb's own run files are found by the names of the probes.
+/// `unit`. Those of Plumb's own run files are found by the names of the probes, and how the run ended is
+/// taken from them; one that was cut or changed is refused.
 std::unique_ptr<GivenTable> read_given_hdf5(const NamedText& file);
 
 }  // namespace plumb

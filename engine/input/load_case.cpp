@@ -13,6 +13,7 @@
 #include "engine/input/parameters.h"
 #include "engine/input/table_reader.h"
 #include "engine/integrate/method_info.h"
+#include "engine/output/given_probes.h"
 
 namespace plumb {
 namespace {
@@ -25,6 +26,46 @@ enum class Extent {
   without_studies,  ///< of a case that is itself a part of a study
   motion,           ///< what the motion depends on, and neither what is compared nor what is drawn
 };
+
+/// In what the case that a given run is of moves otherwise; empty: in nothing, or it is not known.
+std::string difference_of_motion(const GivenRun& run, const Case& spec) {
+  if (!run.own_case) return "";
+  const Case& own = *run.own_case;
+  const CableSpec& cable = own.cable;
+  std::string text = difference({cable.length, cable.youngs_modulus * cable.area,
+                                 cable.youngs_modulus * cable.second_moment, cable.density * cable.area},
+                                spec.cable, "in the file");
+  for (const auto& [name, same] :
+       {std::pair{"start", own.start == spec.start}, std::pair{"supports", own.supports == spec.supports},
+        std::pair{"loads", own.loads == spec.loads}})
+    if (!same) text += fmt::format("{}its {} {}", text.empty() ? "" : "; ", name, "differ");
+  return text;
+}
+
+/// Notes in each given run what it lacks of the case, and which one it repeats.
+void note_shortcomings(const Case& spec, GivenRunsRead& given) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t k = 0; k < given.runs.size(); ++k) {
+    GivenRun& run = given.runs[k];
+    std::vector<std::string> notes;
+    if (run.times.back() < spec.time.end * (1 - rounding))
+      notes.push_back(fmt::format("the run in it ends at {:.6g} s, before the end of the case, {:.6g} s",
+                                  run.times.back(), spec.time.end));
+    if (run.times.front() > spec.time.end * rounding)
+      notes.push_back(fmt::format("the run in it begins at {:.6g} s, not at 0", run.times.front()));
+    if (const std::string what = difference_of_motion(run, spec); !what.empty())
+      notes.push_back("the run in it is of another case: " + what);
+    for (std::size_t other = 0; other < k; ++other)
+      if (given.runs[other].times.size() == run.times.size() &&
+          same_run(probe(given.runs[other]), probe(run)))
+        notes.push_back(fmt::format("the run in it has the same numbers as {}, which it does not confirm",
+                                    spec.given_runs[other].name));
+    for (std::string& note : notes) {
+      given.remarks.push_back(fmt::format("{}: {}", spec.given_runs[k].file, note));
+      run.notes.push_back(std::move(note));
+    }
+  }
+}
 
 LoadedCase read_case(const NamedText& file, const TomlValue& written,
                      const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent);
@@ -133,6 +174,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   spec.scene = read_scene(scene, spec.time);
   if (extent == Extent::everything) {
     check_given_runs(runs, spec, given.runs);
+    note_shortcomings(spec, given);
     if (given_only)
       for (const char* key : {"study", "uncertainty", "error_budget"})
         if (root.has(key))

@@ -89,6 +89,8 @@ class RunReader {
   GivenRun read() {
     GivenRun run;
     run.notes = file_.notes();
+    run.ending = file_.ending();
+    run.own_case = file_.own_case();
     read_times(run);
     for (const std::string& name : probes_.names()) {
       const int found = find(name);

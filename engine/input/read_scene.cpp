@@ -57,6 +57,9 @@ SceneSpec read_scene(TableReader table, const TimeSpec& time) {
   scene.tolerance = table.number("tolerance", Range::positive("pixels"), scene.tolerance);
   scene.trail = table.optional_number("trail", Range::at_least(0, "s"));
   table.finish();
+  if (scene.tolerance > std::max(scene.size[0], scene.size[1]))
+    table.refuse_value("tolerance", fmt::format("must be at most as many pixels as the picture has, {}",
+                                                std::max(scene.size[0], scene.size[1])));
 
   const double pixels = 1.0 * scene.size[0] * scene.size[1];
   if (pixels > most_pixels) {

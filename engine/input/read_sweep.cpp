@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "engine/input/case_sections.h"
 
 namespace plumb {
@@ -12,6 +14,10 @@ SweepSpec read_sweep(TableReader table, const CableSpec& cable) {
   spec.tolerance = table.number("tolerance", Range::positive("m"), spec.tolerance);
   spec.time_limit = table.number("time_limit", Range::positive("s"), spec.time_limit);
   table.finish();
+  // Hardly any run is further off than that.
+  if (spec.tolerance > cable.length)
+    table.refuse_value("tolerance",
+                       fmt::format("must be at most the length of the cable, {:g} m", cable.length));
   return spec;
 }
 

@@ -13,7 +13,7 @@ const ReferenceSeries* Reference::find(std::string_view name) const {
   return found != series.end() ? &*found : nullptr;
 }
 
-std::string difference(const ReferenceCable& reference, const CableSpec& cable) {
+std::string difference(const ReferenceCable& reference, const CableSpec& cable, const std::string& whose) {
   constexpr double same = 1e-6;
   const struct {
     const char* name;
@@ -27,8 +27,8 @@ std::string difference(const ReferenceCable& reference, const CableSpec& cable) 
   std::string text;
   for (const auto& item : items)
     if (item.stated && !(std::abs(item.actual - *item.stated) <= same * *item.stated))
-      text += fmt::format("{}{} is {:.6g} {}, that of the reference {:.6g} {}", text.empty() ? "" : "; ",
-                          item.name, item.actual, item.unit, *item.stated, item.unit);
+      text += fmt::format("{}{} is {:.6g} {}, that {} {:.6g} {}", text.empty() ? "" : "; ", item.name,
+                          item.actual, item.unit, whose, *item.stated, item.unit);
   return text;
 }
 

@@ -50,7 +50,8 @@ struct Reference {
 };
 
 /// Where a cable is not the one of the reference, to a millionth: "EA is 62.5 N, that of the reference 40 N".
-/// Nothing where they agree or nothing is stated.
-std::string difference(const ReferenceCable& reference, const CableSpec& cable);
+/// Nothing where they agree or nothing is stated. `whose` is what else the other cable is of.
+std::string difference(const ReferenceCable& reference, const CableSpec& cable,
+                       const std::string& whose = "of the reference");
 
 }  // namespace plumb

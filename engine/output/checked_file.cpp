@@ -26,10 +26,7 @@ std::string with_check_sum(std::string bytes) {
   return bytes.append(mark).append(sum);
 }
 
-std::string read_checked(const std::string& path, const std::string& kind) {
-  FileText file = read_file_text(path, InputKind::run_file);
-  if (!file.failure.empty()) throw std::runtime_error(file.failure);
-  std::string bytes = std::move(file.text);
+std::string without_check_sum(std::string bytes, const std::string& kind) {
   const std::size_t ending = mark.size() + digits;
   if (bytes.size() < ending || bytes.compare(bytes.size() - ending, mark.size(), mark) != 0)
     throw std::runtime_error("it is no " + kind + ", or it was cut short");
@@ -37,6 +34,12 @@ std::string read_checked(const std::string& path, const std::string& kind) {
   bytes.resize(bytes.size() - ending);
   if (check_sum(bytes) != sum) throw std::runtime_error("it was damaged or changed after it was written");
   return bytes;
+}
+
+std::string read_checked(const std::string& path, const std::string& kind) {
+  FileText file = read_file_text(path, InputKind::run_file);
+  if (!file.failure.empty()) throw std::runtime_error(file.failure);
+  return without_check_sum(std::move(file.text), kind);
 }
 
 }  // namespace plumb

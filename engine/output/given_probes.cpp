@@ -1,12 +1,35 @@
 #include "engine/output/given_probes.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "engine/output/stored_parts.h"
 #include "engine/output/time_interpolation.h"
 
 namespace plumb {
+namespace {
+
+double greatest_size(const std::vector<double>& values) {
+  double greatest = 0;
+  for (const double value : values) greatest = std::max(greatest, std::abs(value));
+  return greatest;
+}
+
+bool same_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b) {
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * greatest_size(a);
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
+                                            [&](double x, double y) { return std::abs(x - y) <= rounding; });
+}
+
+bool varies(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [&](double x) { return x != values.front(); });
+}
+
+}  // namespace
 
 ProbeTable probe(const GivenRun& given) {
   ProbeTable table;
@@ -52,10 +75,23 @@ ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& 
   return table;
 }
 
+bool same_run(const ProbeTable& a, const ProbeTable& b) {
+  if (!same_but_for_rounding(a.times, b.times)) return false;
+  bool moves = false;
+  for (const Column& column : a.columns) {
+    const Column* other = b.find(column.name);
+    if (other == nullptr) continue;
+    if (!same_but_for_rounding(column.values, other->values)) return false;
+    moves = moves || varies(column.values);
+  }
+  return moves;
+}
+
 Run reported_run(LoadedCase loaded, Provenance provenance) {
   const GivenRun& given = loaded.given_runs.at(0);
   Trajectory trajectory;
-  trajectory.outcome = Outcome::completed;
+  trajectory.outcome = given.ending.failed() ? stored_outcome(given.ending.outcome) : Outcome::completed;
+  if (given.ending.failed()) trajectory.message = given.ending.message;
   trajectory.times = given.times;
   trajectory.end_time = given.times.back();
   ProbeTable probes = probe(given);

@@ -18,8 +18,12 @@ ProbeTable probe(const GivenRun& given, const std::vector<double>& times);
 /// second one: interpolated between those before and after.
 ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& outputs);
 
-/// The first given run of a case without [method] as the run that is reported: completed, with neither states
-/// nor energies nor counters.
+/// True for two tables that hold one run: the same times, and in all columns of both the same values, at
+/// least one of which varies; all but for the rounding of a unit.
+bool same_run(const ProbeTable& a, const ProbeTable& b);
+
+/// The first given run of a case without [method] as the run that is reported: ended as its file says, or
+/// completed where that says nothing, with neither states nor energies nor counters.
 Run reported_run(LoadedCase loaded, Provenance provenance);
 
 }  // namespace plumb

@@ -161,10 +161,15 @@ std::string encode_run(const Run& run) {
   hdf5::Writer file;
   write_format(format_name, run_file_version, file);
   write_source(run.loaded.source, file);
-  if (reports_given_run(run.loaded.spec))
+  if (reports_given_run(run.loaded.spec)) {
     file.numbers("time", {run.trajectory.times.size()}, run.trajectory.times.data(), "s");
-  else
+    if (const GivenEnding& ending = run.loaded.given_runs.front().ending; !ending.outcome.empty()) {
+      file.text("given/outcome", ending.outcome);
+      file.text("given/message", ending.message);
+    }
+  } else {
     write_trajectory(run.trajectory, file);
+  }
   for (const Column& column : run.probes.columns)
     file.numbers("probes/" + column.name, {column.values.size()}, column.values.data(), column.unit);
   write_provenance(run.provenance, file);

@@ -9,6 +9,7 @@
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
 #include "engine/input/place.h"
+#include "engine/output/document_sum.h"
 #include "engine/output/known_time.h"
 #include "engine/study/budget_json.h"
 #include "engine/study/json_numbers.h"
@@ -88,7 +89,7 @@ std::string encode_assessment(const Assessment& assessment) {
   Json json{{"kind", "assessment"}, {"version", assessment_version}};
   if (assessment.uncertainty) json["uncertainty"] = uncertainty_json(*assessment.uncertainty);
   if (assessment.error_budget) json["error_budget"] = budget_json(*assessment.error_budget);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_summed_text(std::move(json), 1);
 }
 
 Assessment decode_assessment(const std::string& text, const std::string& file, const Run& run) {

@@ -12,6 +12,7 @@
 #include "engine/input/case_words.h"
 #include "engine/input/parse_json.h"
 #include "engine/integrate/method_info.h"
+#include "engine/output/document_sum.h"
 #include "engine/output/provenance.h"
 #include "engine/study/economy_ladder.h"
 
@@ -203,7 +204,7 @@ std::string encode_choice(const Economy& economy, const std::string& key, const 
             {"key_of_the_run", choice_key(made)},
             {"overrides", made.overrides}};
   json["economy"] = economy_json(economy);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_summed_text(std::move(json), 1);
 }
 
 std::optional<Economy> decode_choice(const std::string& text, const std::string& key) {

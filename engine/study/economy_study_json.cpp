@@ -10,6 +10,7 @@
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
 #include "engine/message.h"
+#include "engine/output/document_sum.h"
 #include "engine/study/case_source_json.h"
 #include "engine/study/economy_json.h"
 #include "engine/study/run_economy.h"
@@ -105,7 +106,7 @@ std::string encode_economy_study(const EconomyStudy& study) {
   for (const SceneNeed& need : study.needs) json["needs"].push_back(need_json(need));
   for (const RandomScene& scene : study.scenes) json["scenes"].push_back(random_scene_json(scene));
   for (const auto& [name, value] : study.provenance) json["provenance"][name] = value;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_summed_text(std::move(json), 1);
 }
 
 EconomyStudy decode_economy_study(const std::string& json, const std::string& file) {

@@ -7,6 +7,7 @@
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
 #include "engine/message.h"
+#include "engine/output/document_sum.h"
 #include "engine/study/case_source_json.h"
 #include "engine/study/stability_json.h"
 
@@ -28,11 +29,11 @@ StabilityStudyFile study_of(const Json& json) {
 }  // namespace
 
 std::string encode_stability(const StabilityStudyFile& study) {
-  const Json json{{"kind", stability_kind},
-                  {"version", version},
-                  {"case", case_source_to_json(study.loaded.source)},
-                  {"result", stability_to_json(study.result)}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  Json json{{"kind", stability_kind},
+            {"version", version},
+            {"case", case_source_to_json(study.loaded.source)},
+            {"result", stability_to_json(study.result)}};
+  return to_summed_text(std::move(json), -1);
 }
 
 StabilityStudyFile decode_stability(const std::string& text, const std::string& name) {

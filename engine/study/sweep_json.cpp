@@ -10,6 +10,7 @@
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
 #include "engine/message.h"
+#include "engine/output/document_sum.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/case_source_json.h"
 
@@ -95,7 +96,7 @@ std::string encode_sweep(const Sweep& sweep) {
             {"runs", Json::array()}};
   for (const auto& [name, value] : sweep.provenance) json["provenance"][name] = value;
   for (const SweepRun& run : sweep.runs) json["runs"].push_back(sweep_run_json(run));
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_summed_text(std::move(json), 1);
 }
 
 Sweep decode_sweep(const std::string& json, const std::string& file) {

@@ -14,10 +14,12 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Greatest distance of a node at the outputs that both have; none of other meshes, where they have no output
-/// after the start, or where one is not a number.
+/// Greatest distance of a node at the outputs that both have; none of other meshes, where they do not end
+/// together, where they have no output after the start, or where one is not a number.
 double distance(const Trajectory& a, const Trajectory& b) {
   constexpr double same_time = 1e-9;  // s
+  if (a.times.empty() || b.times.empty() || std::abs(a.times.back() - b.times.back()) > same_time)
+    return none;
   double worst = none;
   bool moved = false;
   std::size_t j = 0;

@@ -9,6 +9,7 @@
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
 #include "engine/message.h"
+#include "engine/output/document_sum.h"
 #include "engine/output/stored_parts.h"
 #include "engine/study/case_source_json.h"
 
@@ -130,7 +131,7 @@ std::string encode_variants(const VariantsStudy& study) {
     json["variants"].push_back(variant_json(variant));
   json["provenance"] = Json::object();
   for (const auto& [name, value] : study.result.provenance) json["provenance"][name] = value;
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_summed_text(std::move(json), -1);
 }
 
 VariantsStudy decode_variants(const std::string& text) {

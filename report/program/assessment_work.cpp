@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "engine/input/file_text.h"
+#include "engine/input/parse_json.h"
+#include "engine/output/document_sum.h"
 #include "engine/study/run_budget.h"
 #include "engine/study/run_uncertainty.h"
 
@@ -42,7 +44,9 @@ Assessment assessment_beside(const std::string& run_path, const Run& run) {
       fs::is_directory(run_path, ignored) ? fs::path(run_path) : fs::path(run_path).parent_path();
   const fs::path file = folder / assessment_file_name;
   if (!fs::exists(file, ignored)) return {};
-  return decode_assessment(read_whole_file(file.string()), file.string(), run);
+  const std::string text = read_whole_file(file.string());
+  refuse_changed(parse_json<nlohmann::json>(text, file.string()), file.string(), true);
+  return decode_assessment(text, file.string(), run);
 }
 
 }  // namespace plumb

@@ -71,7 +71,10 @@ std::vector<std::string> files_of_both(const std::string& a, const std::string& 
 }
 
 nlohmann::ordered_json to_json(const std::vector<FileDifference>& files, bool accepted) {
-  nlohmann::ordered_json json{{"different", differs(files)},
+  // Where nothing was compared, neither is known.
+  const bool agree = compared(files) > 0 && !differs(files);
+  nlohmann::ordered_json json{{"different", compared(files) > 0 ? nlohmann::ordered_json(!agree) : nullptr},
+                              {"agree", agree},
                               {"compared", compared(files)},
                               {"accepted", accepted},
                               {"files", nlohmann::ordered_json::array()}};

@@ -7,8 +7,9 @@
 
 namespace plumb {
 
-/// The results.json of a path to it or to its folder, for --baseline. Throws InputError.
-Document find_document(const std::string& path);
+/// The results.json of a path to it or to its folder. Throws InputError, unless it may be one for a file that
+/// was changed after it was written.
+Document find_document(const std::string& path, bool may_be_changed = false);
 
 /// The same of a report that is whole enough to be a baseline. Throws InputError.
 Document find_baseline(const std::string& path);

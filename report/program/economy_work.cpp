@@ -6,6 +6,8 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
+#include "engine/input/parse_json.h"
+#include "engine/output/document_sum.h"
 #include "engine/study/choose_rung.h"
 #include "engine/study/economy_json.h"
 #include "engine/study/economy_ladder.h"
@@ -27,6 +29,15 @@ std::optional<std::string> choice_text_in(const std::string& folder) {
   const FileText read = read_file_text(file.string());
   if (!read.failure.empty()) return {};
   return read.text;
+}
+
+bool is_as_written(const std::string& text) {
+  try {
+    refuse_changed(parse_json<nlohmann::json>(text, choice_file_name), choice_file_name, true);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 /// What was set of the model and the method is overruled.
@@ -57,7 +68,8 @@ SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder
   SceneChoice choice;
   choice.key = choice_key(loaded.source);
   const std::optional<std::string> text = choice_text_in(folder);
-  std::optional<Economy> known = text ? decode_choice(*text, choice.key) : std::nullopt;
+  std::optional<Economy> known =
+      text && is_as_written(*text) ? decode_choice(*text, choice.key) : std::nullopt;
   if (known) {
     choice.economy = std::move(*known);
     choice.economy.reused = true;
@@ -90,6 +102,8 @@ std::optional<Economy> choice_beside(const std::string& run_path, const Run& run
       fs::is_directory(run_path, ignored) ? fs::path(run_path) : fs::path(run_path).parent_path();
   const std::optional<std::string> text = choice_text_in(beside.string());
   if (!text) return {};
+  const std::string file = (beside / choice_file_name).string();
+  refuse_changed(parse_json<nlohmann::json>(*text, file), file, true);
   std::optional<Economy> economy = decode_choice_made(*text, run.loaded.source);
   if (economy) folder.write(choice_file_name, *text);
   return economy;

@@ -6,6 +6,7 @@
 
 #include "engine/errors.h"
 #include "engine/input/parse_json.h"
+#include "engine/output/document_sum.h"
 #include "engine/output/output_folder.h"
 #include "report/page.h"
 #include "report/program/work.h"
@@ -48,6 +49,9 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
   const std::string source = fs::absolute(options.from).parent_path().string();
   const fs::path folder = options.output.empty() ? source : options.output;
   const Remade made = remake(options.from, source);
+  if (!made.document.contains(check_sum_key))
+    talk.remark(fmt::format("{} has no {}: nothing tells whether it is as it was written", options.from,
+                            check_sum_key));
   OutputFolder output(folder.string(), {.content = FolderContent::pages,
                                         .sources = {options.from},
                                         .adds = true,

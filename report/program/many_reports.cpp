@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/errors.h"
+#include "engine/output/document_sum.h"
 #include "engine/output/file_writing.h"
 #include "report/program/earlier_report.h"
 #include "report/program/limits.h"
@@ -151,6 +152,9 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const std::string file = (own / "results.json").string();
     reports.push_back({seen.generic_string(), find_document(file)});
     check_claims(reports.back().document, file);
+    if (!reports.back().document.contains(check_sum_key))
+      talk.remark(
+          fmt::format("{} has no {}: nothing tells whether it is as it was written", file, check_sum_key));
     use.reads.push_back((own / "results.json").string());
   }
   OutputFolder index(folder, use);

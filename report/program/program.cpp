@@ -61,8 +61,10 @@ int fail_for_memory() {
   }
 }
 
-/// Of the largest number of a column: beyond that a column could be turned round unseen.
+/// Of the largest number of a column, of the pixels in a window, of the levels of a channel: with more a
+/// column could be turned round unseen, or a picture be another.
 constexpr double most_share = 0.5;
+constexpr int most_levels = 127;
 
 /// Finite numbers from `low` to `high`; words that strtod takes for numbers are none.
 CLI::Validator number_between(double low, double high) {
@@ -135,12 +137,12 @@ void add_comparison(CLI::App& command, Options& options) {
           "levels by which a channel of a pixel may differ; default 8, but 0 for pictures of the same "
           "renderer unless this or --density is given")
       ->type_name("N")
-      ->check(CLI::Range(0, 255));
+      ->check(CLI::Range(0, most_levels));
   command
       .add_option("--density", options.density,
                   "share of the pixels in any window of 16 x 16 that may differ by more; default 0.01, or 0")
       ->type_name("SHARE")
-      ->check(number_between(0, 1));
+      ->check(number_between(0, most_share));
   command
       .add_option("--numbers", options.numbers,
                   "difference of numbers, relative to the largest of their column; default 1e-9")

@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "report/case_json.h"
+#include "report/economy_text.h"
 #include "report/program/assessment_work.h"
 #include "report/program/earlier_report.h"
 #include "report/program/economy_work.h"
@@ -50,6 +51,7 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
   note_renderer(run, renderer);
+  if (economy) run.provenance.emplace_back(left_to_scene, "as choice.json says");
   write_run(run, folder);
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.

@@ -42,7 +42,9 @@ void say_report(const Document& document, const std::string& folder, const Optio
 }
 
 ExitStatus status_of(const Document& document) {
-  if (!document.at("complete").get<bool>()) return ExitStatus::solver_failed;
+  // A given run that failed was not solved here.
+  if (!document.at("complete").get<bool>())
+    return document.contains("computed_by") ? ExitStatus::criterion_not_met : ExitStatus::solver_failed;
   const bool met = document.at("all_criteria_met").get<bool>() || document.at("verdicts").empty();
   return met ? ExitStatus::done : ExitStatus::criterion_not_met;
 }

@@ -44,7 +44,7 @@ void write_run(const Run& run, OutputFolder& folder);
 /// Says the verdicts, the headline and where the report is; with --json prints the document.
 void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk);
 
-/// 0, 1 or 4 by how the run ended and its verdicts.
+/// 0, 1 or 4 by how the run ended and its verdicts; 1 where one that was given is known to have failed.
 ExitStatus status_of(const Document& document);
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);

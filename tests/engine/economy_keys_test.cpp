@@ -21,6 +21,9 @@ TEST(EconomyKeys, TheToleranceOfAScene) {
     source.overrides = {std::string("scene.tolerance=") + bad};
     EXPECT_NE(refusal(source).find("number greater than 0 (pixels)"), std::string::npos) << refusal(source);
   }
+  source.overrides = {"scene.size=[64,48]", "scene.tolerance=65"};
+  EXPECT_NE(refusal(source).find("must be at most as many pixels as the picture has, 64"), std::string::npos)
+      << "nothing is further off: " << refusal(source);
 }
 
 TEST(EconomyKeys, AMethodMayBeLeftToTheScene) {

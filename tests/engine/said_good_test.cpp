@@ -96,6 +96,30 @@ std::string mesh(const std::vector<double>& a, const std::vector<double>& b, con
   return part.state == PartState::estimated ? "estimated" : "not estimated";
 }
 
+std::string mesh_of_two() {
+  const UncertaintyPart part =
+      mesh_part({{8, 4, 2}, OfThree::finest},
+                {ColumnValues{{1}, ""}, ColumnValues{{1}, ""}, ColumnValues{{}, "it failed"}});
+  return part.state == PartState::estimated ? "estimated" : "not estimated";
+}
+
+/// The greatest that half the step says of the error of a step.
+std::string time(const std::vector<double>& run, const ColumnValues& finer) {
+  MethodSpec method;
+  method.name = "rk4";
+  method.step = 1e-3;
+  const UncertaintyPart part = time_part(method, run, finer);
+  if (part.state != PartState::estimated || part.values.empty()) return "not estimated";
+  return fmt::format("{:.2g}", part.values.back());
+}
+
+std::string sampled(const std::vector<double>& samples) {
+  std::vector<ColumnValues> columns;
+  for (const double value : samples) columns.push_back({{value}, ""});
+  const UncertaintyPart part = input_part({}, columns);
+  return part.state == PartState::estimated ? fmt::format("{:.2g}", part.values.front()) : "not estimated";
+}
+
 std::string compared(double error, double uncertainty) {
   SeriesUncertainty series;
   series.unit = "m";
@@ -270,6 +294,16 @@ const std::vector<Row>& rows() {
       {"three meshes at no time are not estimated", mesh({}, {}, {}), "not estimated"},
       {"what is not a number on every mesh is not estimated", mesh({nan}, {nan}, {nan}), "not estimated"},
       {"what is infinite on every mesh is not estimated", mesh({inf}, {inf}, {inf}), "not estimated"},
+      {"two meshes are not estimated", mesh_of_two(), "not estimated"},
+      {"a step is estimated by half of it", time({0, 1}, {{0, 1}, ""}), "0"},
+      {"a step is not estimated without half of it", time({0, 1}, {{}, "it failed"}), "not estimated"},
+      {"a step is not estimated at no time", time({}, {{}, ""}), "not estimated"},
+      {"a step of what is not a number has no estimate that holds", time({0, 1}, {{0, nan}, ""}), "nan"},
+      {"a step is not held once it was not a number", time({0, 1, 1}, {{0, nan, 1}, ""}), "nan"},
+      {"inputs are sampled", sampled({1, 3}), "1.4"},
+      {"one sample of an input says nothing", sampled({1}), "not estimated"},
+      {"no sample of an input says nothing", sampled({}), "not estimated"},
+      {"samples that are not numbers spread by no number", sampled({1, nan}), "nan"},
       {"an error within its uncertainty is not distinguishable", compared(1, 1),
        "1 within, not distinguishable at this uncertainty"},
       {"an error that is not a number is not within", compared(nan, 1),
@@ -287,6 +321,8 @@ const std::vector<Row>& rows() {
       {"two variants have a distance", apart(motion({0, 1, 2}, 0.5), whole()), "0.5"},
       {"two variants have no distance at their start alone", apart(motion({0}, 0), whole()), "none"},
       {"two variants have no distance at other times", apart(motion({0.5, 1.5}, 0), whole()), "none"},
+      {"two variants have no distance where one ends before the other", apart(motion({0, 1}, 0), whole()),
+       "none"},
       {"two variants have no distance on other meshes", apart(motion({0, 1, 2}, 0, 2), whole()), "none"},
       {"two variants have no distance where one is not a number", apart(motion({0, 1, 2}, nan), whole()),
        "none"},

@@ -128,6 +128,7 @@ TEST(StabilityKeys, BadValuesAreRefusedWithWhatIsAllowed) {
            {"steps = 2", "steps = 2: must be a whole number from 3 to 60"},
            {"steps = 61", "steps = 61: must be a whole number from 3 to 60"},
            {"tolerance = 0", "tolerance = 0: must be a number greater than 0 (m)"},
+           {"tolerance = 1e9", "tolerance = 1e9: must be at most the length of the cable, "},
            {"time_limit = 0", "time_limit = 0: must be a number greater than 0 (s)"},
            {"energy_step = 0", "energy_step = 0: must be a number greater than 0 (s)"},
            {"energy_step = 1e-10", "energy_step = 1e-10: gives 2e+10 steps until 2 s"},

@@ -37,6 +37,7 @@ TEST(SweepKeys, BadValuesAreRefusedWithWhatIsAllowed) {
            {"seed = 2e15", "seed = 2e15: must be a whole number from 0 to 1000000000000000"},
            {"tolerance = 0", "tolerance = 0: must be a number greater than 0 (m)"},
            {"tolerance = inf", "tolerance = inf: must be finite: a number greater than 0 (m)"},
+           {"tolerance = 2.1", "tolerance = 2.1: must be at most the length of the cable, 2 m"},
            {"time_limit = 0", "time_limit = 0: must be a number greater than 0 (s)"},
            {"time_limit = nan", "time_limit = nan: must be finite: a number greater than 0 (s)"},
            {"seeds = 1", "seeds = 1: unknown key; did you mean \"seed\"?"},

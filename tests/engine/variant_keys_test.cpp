@@ -61,6 +61,18 @@ set = { cable.elements = 2, loads.gravity = [0, -9, 0], cable.strain = "engineer
   EXPECT_FALSE(variants[1].expects_anything());
 }
 
+TEST(VariantKeys, AVariantOfWhichFiguresAreExpectedIsToCompleteUnlessItSaysOtherwise) {
+  const std::string figure =
+      "[[study.variant.expect]]\nquantity = \"end-time\"\nvalue = 1\nwithin = 1\nsource = \"x\"\n";
+  const auto outcome = [](const std::string& lines) {
+    return load_case(with_lines(lines)).spec.variants.at(0).outcome;
+  };
+  EXPECT_EQ(outcome(variant("") + figure), "completed");
+  EXPECT_EQ(outcome(variant("outcome = \"diverged\"\n") + figure), "diverged");
+  EXPECT_EQ(outcome(variant("says = \"x\"\n") + figure), "") << "one that completes says nothing";
+  EXPECT_EQ(outcome(variant("")), "") << "it is only shown";
+}
+
 TEST(VariantKeys, ACaseOfAVariantIsTheCaseWithItsOverrides) {
   CaseSource source = with_lines(variant(
       "set = { method.name = \"rk4\", method.step = 1e-3, loads.gravity = [0, -9, 0], parameters.f = 4 }\n"));

@@ -365,6 +365,7 @@ TEST_F(Baseline, RunThatMovedFailsWithHowFar) {
   EXPECT_GT(verdict.at("value").get<double>(), 1e-4) << verdict;
   EXPECT_EQ(verdict_named(results, "baseline: figures/energy.png").at("status"), "failed")
       << "a picture that is not there";
+  EXPECT_EQ(verdict_named(results, "baseline: check sum").at("status"), "failed") << "it was changed";
   EXPECT_FALSE(results.at("all_criteria_met"));
   EXPECT_NE(read_text(folder_ / "moved/junit.xml").find("<testsuite name=\"regression\""), std::string::npos);
   EXPECT_NE(read_text(folder_ / "moved/index.html").find("What changed"), std::string::npos);
@@ -379,6 +380,23 @@ TEST_F(Baseline, OfTheSameCaseIsMetWithItsPicturesOrAsNumbersAlone) {
   write_text(folder_ / "kept/results.json", read_text(folder_ / "first/results.json"));
   const Ended numbers = run("again", {"--baseline", "kept/results.json"});
   EXPECT_NE(numbers.out.find("Nothing moved since the baseline."), std::string::npos) << numbers.out;
+}
+
+TEST_F(Baseline, ThatWasChangedVouchesForNothingUnlessItSaysThatItWas) {
+  run("first");
+  Json earlier = results_in(folder_ / "first");
+  earlier["verdicts"] = Json::array();
+  write_text(folder_ / "kept/results.json", earlier.dump());
+  const Ended changed = run("again", {"--baseline", "kept/results.json"});
+  EXPECT_EQ(changed.status, 1) << changed.out << changed.err;
+  EXPECT_EQ(changed.out.find("Nothing moved"), std::string::npos) << changed.out;
+  EXPECT_NE(changed.out.find("it was changed after it was written; without its key check_sum"),
+            std::string::npos)
+      << changed.out;
+  earlier.erase("check_sum");
+  write_text(folder_ / "kept/results.json", earlier.dump());
+  const Ended said = run("again", {"--baseline", "kept/results.json"});
+  EXPECT_NE(said.out.find("Nothing moved since the baseline."), std::string::npos) << said.out << said.err;
 }
 
 TEST_F(Baseline, IsRefusedBeforeAnyWork) {

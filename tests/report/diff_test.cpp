@@ -452,6 +452,8 @@ TEST_F(DiffProgram, BadArgumentsAndFilesAreRefusedInOneLine) {
                                           {{"a", "b", "--channel", "256"}, 2},
                                           {{"a", "b", "--channel", "x"}, 2},
                                           {{"a", "b", "--density", "1.5"}, 2},
+                                          {{"a", "b", "--density", "0.51"}, 2},
+                                          {{"a", "b", "--channel", "128"}, 2},
                                           {{"a", "b", "--numbers", "-1"}, 2},
                                           {{"a", "nothing"}, 3},
                                           {{"a", "a.txt"}, 3},
@@ -480,6 +482,8 @@ TEST_F(DiffProgram, NothingComparedIsNoAgreement) {
     EXPECT_NE(ended.out.find("no agreement"), std::string::npos) << ended.out;
     const Json json = Json::parse(diff({a, b, "--json"}).out);
     EXPECT_EQ(json["compared"], 0) << a;
+    EXPECT_TRUE(json["different"].is_null()) << json;
+    EXPECT_EQ(json["agree"], false) << json;
     const Ended accepting = diff({a, b, "--accept"});
     EXPECT_EQ(accepting.status, 1) << a << accepting.out;
   }

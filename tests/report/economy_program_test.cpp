@@ -61,6 +61,18 @@ TEST(EconomyProgram, TheReportOfARunHasItsChoiceAgain) {
   const Ended ended = plumb_in(folder.path(), {"report", "out"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(Json::parse(read_text(folder / "out/results.json")).at("economy"), before.at("economy"));
+  Json choice = Json::parse(read_text(folder / "out/choice.json"));
+  choice["economy"]["tolerance"] = 5;
+  write_text(folder / "out/choice.json", choice.dump());
+  const Ended edited = plumb_in(folder.path(), {"report", "out", "-o", "new"});
+  EXPECT_EQ(edited.status, 3) << edited.out;
+  expect_one_line(edited.err);
+  EXPECT_NE(edited.err.find("choice.json: cannot be used: it was changed"), std::string::npos) << edited.err;
+  EXPECT_FALSE(fs::exists(folder / "new"));
+  fs::remove(folder / "out/choice.json");
+  const Ended without = plumb_in(folder.path(), {"report", "out"});
+  EXPECT_EQ(without.status, 1) << without.out;
+  EXPECT_NE(without.out.find("the run was left to its scene"), std::string::npos) << without.out;
 }
 
 TEST(EconomyProgram, EndsWithOneWhereNothingHoldsAndSaysWhatIsUncertain) {

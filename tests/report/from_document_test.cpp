@@ -126,6 +126,26 @@ TEST_F(FromDocument, ClaimingMoreThanItsVerdictsIsRefused) {
   }
 }
 
+TEST_F(FromDocument, WhatMovedSinceABaselineMakesARunNoLessAccurate) {
+  Document document = good_;
+  document["verdicts"][0]["status"] = "passed";
+  Document moved = document["verdicts"][0];
+  moved["kind"] = "regression";
+  moved["name"] = "baseline: tip.y";
+  moved["status"] = "failed";
+  document["verdicts"].push_back(moved);
+  document["outcome"] = "accurate";
+  document["headline"] = "Accurate. Since the baseline 1 of 1 criteria of regression are not met.";
+  document["all_criteria_met"] = false;
+  EXPECT_EQ(refusal(document), "");
+  document["all_criteria_met"] = true;
+  EXPECT_NE(refusal(document).find("which its verdicts do not"), std::string::npos);
+  document["all_criteria_met"] = false;
+  document["verdicts"].erase(0);
+  EXPECT_NE(refusal(document).find("which its verdicts do not"), std::string::npos)
+      << "nothing is accurate by regression alone";
+}
+
 TEST_F(FromDocument, AnyValueThatWasChangedIsReadOrRefusedInWords) {
   expect_changes_read_or_refused(good_, 300, [&](const Document& changed) { return refusal(changed); });
 }

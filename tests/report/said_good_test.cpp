@@ -7,6 +7,7 @@
 #include "report/conclusion.h"
 #include "report/economy_results.h"
 #include "report/economy_text.h"
+#include "report/junit_suites.h"
 #include "report/regression.h"
 #include "report/stability_results.h"
 #include "report/study_results.h"
@@ -87,6 +88,12 @@ std::string picture_error(double estimate, bool holds) {
   economy.tried = {rung};
   economy.chosen = 0;
   return std::string(word(economy_verdict(economy).status));
+}
+
+std::string without_choice(bool left) {
+  plumb::Run run = run_with("a");
+  if (left) run.provenance.emplace_back(left_to_scene, "");
+  return status_of(evaluate(run, {}).verdicts, "picture error");
 }
 
 struct Need {
@@ -182,6 +189,38 @@ Document named_baseline() {
   return made;
 }
 
+std::string observed(double order) {
+  WorkPrecision study;
+  study.fixed_elements = 4;
+  StudyRun run;
+  run.method.name = "rk4";
+  run.method.step = 1e-3;
+  study.runs = {run};
+  StudyCurve curve;
+  curve.label = curve.method = "rk4";
+  curve.stated_order = "4";
+  curve.elements = 4;
+  curve.runs = {0};
+  curve.observed.order = order;
+  study.curves = {curve};
+  return status_of(study_verdicts(study), "order: rk4");
+}
+
+/// "1 test, 0 skipped" of a file for a CI page.
+std::string tests_in(const std::vector<JunitSuite>& suites) {
+  const std::string xml = junit_xml("all", suites);
+  return xml.substr(0, xml.find(">", xml.find("<testsuites"))).substr(xml.find(" tests=") + 1);
+}
+
+std::string scaled(double value, double limit, Magnitude scale) {
+  Verdict verdict;
+  verdict.value = value;
+  verdict.limit = limit;
+  verdict.status = within(value, limit) ? VerdictStatus::passed : VerdictStatus::failed;
+  hold_to_scale(verdict, scale, "it");
+  return std::string(word(verdict.status));
+}
+
 struct Row {
   const char* sentence;
   std::string said, right;
@@ -196,6 +235,25 @@ const std::vector<Row>& rows() {
       {"what is infinite is not within infinity", within(inf, inf) ? "within" : "beyond", "beyond"},
       {"what was not found is not within", within(-1, 1) ? "within" : "beyond", "beyond"},
       {"nothing is within a limit that is none", within(0, nan) ? "within" : "beyond", "beyond"},
+
+      {"a distance is judged by what it is a distance from", scaled(0.1, 0.5, {2, 1}), "passed"},
+      {"a limit beyond all there is judges nothing", scaled(0.1, 3, {2, 1}), "not run"},
+      {"what is beyond even such a limit fails", scaled(4, 3, {2, 1}), "failed"},
+      {"what is not a number fails by such a limit", scaled(nan, 3, {2, 1}), "failed"},
+      {"an infinite limit judges nothing", scaled(0.1, inf, {2, 1}), "not run"},
+      {"where nothing is known of the scale a limit is taken", scaled(0.1, 3, {}), "passed"},
+
+      {"an observed order near the stated one is met", observed(4.01), "passed"},
+      {"an order that was not observed has no verdict", observed(-1), "no verdict"},
+      {"an observed order that is not a number is not met", observed(nan), "failed"},
+      {"an infinite observed order is not met", observed(inf), "failed"},
+
+      {"a file of no tests has one that was skipped", tests_in({}),
+       "tests=\"1\" failures=\"0\" skipped=\"1\""},
+      {"a file of empty suites has one too", tests_in({{"verification", {}}}),
+       "tests=\"1\" failures=\"0\" skipped=\"1\""},
+      {"a file of one test has that alone", tests_in({{"verification", {{"a", VerdictStatus::passed, "m"}}}}),
+       "tests=\"1\" failures=\"0\" skipped=\"0\""},
 
       {"of no runs none is said to be accurate rightly", swept("accurate", {}), "not run"},
       {"of no runs none is said to be free of faults", swept("faults", {}), "not run"},
@@ -233,6 +291,9 @@ const std::vector<Row>& rows() {
       {"a picture without an estimate is not judged", picture_error(-1, true), "not run"},
       {"a picture whose error is not a number is not judged", picture_error(nan, true), "not run"},
       {"a picture infinitely far off does not hold", picture_error(inf, true), "failed"},
+
+      {"a run that was left to its scene is not judged without its choice", without_choice(true), "not run"},
+      {"a run that was not has no picture error to be judged", without_choice(false), "no verdict"},
 
       {"a picture of known truth is judged", economical("truth", {}), "passed"},
       {"a picture of unknown truth is not", economical("truth", {.true_error = -1}), "not run"},

@@ -154,6 +154,7 @@ TEST_F(ReportFromDocument, SaysWhatIsWrongWithIt) {
   const auto changed = [&](auto change) {
     Json other = document;
     change(other);
+    other.erase("check_sum");
     return other.dump();
   };
   refused("[]", "no results of Plumb");
@@ -164,6 +165,9 @@ TEST_F(ReportFromDocument, SaysWhatIsWrongWithIt) {
   refused(changed([](Json& json) { json["title"] = 3; }), "another type");
   refused(changed([](Json& json) { json["verdicts"][0]["kind"] = "opinion"; }), "opinion");
   refused(changed([](Json& json) { json["case"]["method"]["name"] = "magic"; }), "magic");
+  Json met = document;
+  met["title"] = "another";
+  refused(met.dump(), "it was changed after it was written: its check_sum is not that of its content");
   fs::remove(folder_ / "run/player.png");
   refused(document.dump(), "player.png");
 }

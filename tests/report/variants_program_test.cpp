@@ -101,5 +101,28 @@ TEST(VariantsProgram, AStudyFileThatIsCutIsRefused) {
   expect_one_line(ended.err);
 }
 
+TEST(VariantsProgram, AStudyFileThatWasEditedIsRefusedWhateverItSays) {
+  const TemporaryFolder folder;
+  write_case(folder / "a.toml", "completed");
+  ASSERT_EQ(plumb_in(folder.path(), {"study", "a.toml", "-o", "b"}).status, 1);
+  const Json whole = Json::parse(read_text(folder / "b/study.json"));
+  const auto refused = [&](const Json& json, const std::string& why) {
+    write_text(folder / "b/study.json", json.dump());
+    const Ended ended = plumb_in(folder.path(), {"report", "b", "-o", "c"});
+    EXPECT_EQ(ended.status, 3) << ended.out;
+    expect_one_line(ended.err);
+    EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    EXPECT_FALSE(fs::exists(folder / "c"));
+  };
+  Json edited = whole;
+  for (Json& variant : edited["variants"]) variant["outcome"] = "completed";
+  refused(edited, "it was changed after it was written");
+  edited.erase("check_sum");
+  refused(edited, "has no check_sum");
+  write_text(folder / "b/study.json", whole.dump());
+  EXPECT_EQ(plumb_in(folder.path(), {"report", "b", "-o", "c"}).status, 1)
+      << "as it was, but for white space";
+}
+
 }  // namespace variants_program_test
 }  // namespace plumb
