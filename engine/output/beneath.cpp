@@ -49,12 +49,12 @@ Descriptor open_folder(const std::string& path) {
   return Descriptor(::open(path.c_str(), folder_flags));
 }
 
-std::vector<Entry> entries_of(int folder) {
-  std::vector<Entry> entries;
+std::optional<std::vector<Entry>> entries_of(int folder) {
   Descriptor copy(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   DIR* list = copy ? ::fdopendir(copy.get()) : nullptr;
-  if (list == nullptr) return entries;
+  if (list == nullptr) return {};
   copy.release();  // closed with the list
+  std::vector<Entry> entries;
   while (const dirent* entry = ::readdir(list)) {
     const std::string name = entry->d_name;
     struct stat status {};

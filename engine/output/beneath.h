@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,8 +51,8 @@ struct Entry {
   bool folder = false, file = false;  ///< a regular one
 };
 
-/// All in an open folder; nothing where it cannot be read.
-std::vector<Entry> entries_of(int folder);
+/// All in an open folder; nullopt where it cannot be read.
+std::optional<std::vector<Entry>> entries_of(int folder);
 
 /// Makes what an open file or folder holds outlast a power cut. Returns the error number, or 0; that the file
 /// system knows no way to do so is no error.

@@ -76,18 +76,19 @@ std::optional<OwnFiles> files_by_mark(int folder) {
 
 /// As one has that was killed before it wrote its mark; nothing is lost with it.
 bool holds_an_empty_mark_alone(int folder) {
-  const std::vector<Entry> entries = entries_of(folder);
+  const auto entries = entries_of(folder);
   struct stat status {};
-  return entries.size() == 1 && entries[0].file && entries[0].name == mark_name &&
+  return entries && entries->size() == 1 && entries->front().file && entries->front().name == mark_name &&
          ::fstatat(folder, mark_name, &status, AT_SYMLINK_NOFOLLOW) == 0 && status.st_size == 0;
 }
 
 /// Removes the files below an open folder that are ours, and the folders that are empty then. False if one of
-/// them is still there.
+/// them is still there, or may be.
 bool remove_ours(int folder, const std::string& prefix,
                  const std::function<bool(const std::string& name)>& is_ours) {
-  bool all = true;
-  for (const Entry& entry : entries_of(folder)) {
+  const auto entries = entries_of(folder);
+  bool all = entries.has_value();
+  for (const Entry& entry : entries.value_or(std::vector<Entry>())) {
     const std::string name = prefix + entry.name;
     if (entry.folder) {
       const Descriptor below(
@@ -114,7 +115,9 @@ bool empty_of(int folder, const OwnFiles& own) {
 
 /// A file in an open folder, but for the mark; "" where there is none.
 std::string first_file_in(int folder, const std::string& prefix = "") {
-  for (const Entry& entry : entries_of(folder)) {
+  const auto entries = entries_of(folder);
+  if (!entries) fail();
+  for (const Entry& entry : *entries) {
     if (prefix.empty() && entry.name == mark_name) continue;
     if (!entry.folder) return prefix + entry.name;
     const Descriptor below(
@@ -259,7 +262,8 @@ Leftovers clear_leftovers(const std::string& parent, const std::string& name) {
   const Descriptor folder = open_folder(parent);
   if (!folder) return leftovers;
   const std::string beginning = "." + name + ".part-";
-  for (const Entry& entry : entries_of(folder.get())) {
+  const auto entries = entries_of(folder.get());
+  for (const Entry& entry : entries.value_or(std::vector<Entry>())) {
     if (!entry.folder || !entry.name.starts_with(beginning) ||
         entry.name.size() != beginning.size() + letters)
       continue;

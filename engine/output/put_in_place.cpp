@@ -167,7 +167,8 @@ void remove_empty_folders(int folder, const ListedFiles& files) {
 
 /// Moves files of an open folder and those below it to the same names in another one, where they are free.
 void move_files(int from, int to, const std::string& prefix = "") {
-  for (const Entry& entry : entries_of(from)) {
+  const auto entries = entries_of(from);
+  for (const Entry& entry : entries.value_or(std::vector<Entry>())) {
     const std::string name = prefix + entry.name;
     if (entry.folder) {
       const Descriptor below(

@@ -5,8 +5,8 @@
 #include <map>
 #include <mutex>
 
-#include "engine/model/cable.h"
 #include "engine/integrate/integrate.h"
+#include "engine/model/cable.h"
 #include "engine/study/judge.h"
 #include "engine/study/parallel.h"
 #include "engine/study/predicted_limit.h"

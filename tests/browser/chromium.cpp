@@ -94,7 +94,8 @@ Json Chromium::receive() {
   std::size_t end = buffer_.find('\0');
   while (end == buffer_.npos) {
     pollfd waiting{from_, POLLIN, 0};
-    if (::poll(&waiting, 1, static_cast<int>(std::chrono::milliseconds(patience).count())) <= 0) throw std::runtime_error("Chromium does not answer");
+    if (::poll(&waiting, 1, static_cast<int>(std::chrono::milliseconds(patience).count())) <= 0)
+      throw std::runtime_error("Chromium does not answer");
     char part[1 << 16];
     const ssize_t read = ::read(from_, part, sizeof part);
     if (read <= 0) throw std::runtime_error("Chromium has ended");
