@@ -34,9 +34,12 @@ std::span<const EnvironmentVariable> environment_variables() {
       EnvironmentVariable{"NO_COLOR", "if set: no colours on a terminal"},
       EnvironmentVariable{"PATH", "where --video looks for ffmpeg"},
       EnvironmentVariable{"LP_NATIVE_VECTOR_WIDTH", "of the software renderer: 128 or 256"},
+      EnvironmentVariable{"LP_NUM_THREADS",
+                          "of the software renderer: its threads; as many as processors unless given"},
       EnvironmentVariable{"GALLIUM_OVERRIDE_CPU_CAPS",
                           "of the software renderer, which checks it; noted as a part of its name"},
-      EnvironmentVariable{"MESA_SHADER_CACHE_DISABLE", "of the software renderer; set to true unless given"}};
+      EnvironmentVariable{"MESA_SHADER_CACHE_DISABLE", "of the software renderer; set to true unless given"},
+      EnvironmentVariable{"EGL_LOG_LEVEL", "of the EGL library; set to fatal unless given"}};
   return all;
 }
 

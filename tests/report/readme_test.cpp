@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/integrate/method_info.h"
+#include "render/environment.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -23,6 +24,13 @@ TEST(Readme, NamesEveryVerbOfTheProgram) {
   const std::string readme = read_text(fs::path(PLUMB_SOURCE_DIR) / "README.md");
   for (const char* verb : {"run", "solve", "render", "report", "study", "check", "doctor"})
     EXPECT_NE(readme.find(fmt::format("| `plumb {}", verb)), readme.npos) << verb;
+}
+
+TEST(Readme, NamesEveryVariableOfTheEnvironment) {
+  const std::string readme = read_text(fs::path(PLUMB_SOURCE_DIR) / "README.md");
+  for (const EnvironmentVariable& variable : environment_variables())
+    EXPECT_NE(readme.find(fmt::format("\n| `{}` | {}", variable.name, variable.meaning)), readme.npos)
+        << variable.name << " | " << variable.meaning;
 }
 
 }  // namespace readme_test
