@@ -254,7 +254,7 @@ class Trial:
         for entry in json.loads((BUILD / "compile_commands.json").read_text()):
             name = os.path.relpath(entry["file"], TREE)
             if name in names:
-                self.objects[name] = entry["output"]
+                self.objects[name] = re.search(r" -o (\S+)", entry["command"]).group(1)
                 self.unchanged[name] = self.object_sum(name)
 
     def stages(self, programs, quick_only):
