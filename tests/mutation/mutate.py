@@ -305,6 +305,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="*", help="files that fit the pattern")
     parser.add_argument("--jobs", type=int, default=2, help="of a build")
+    parser.add_argument("--part", default="1/1", metavar="K/N", help="the K-th of N parts, for several at once, each in a place of its own")
     parser.add_argument("--quick", action="store_true", help=f"leave out tests that take more than {QUICK} s")
     parser.add_argument("--list", action="store_true", help="print the mutants and try none")
     arguments = parser.parse_args()
@@ -314,6 +315,8 @@ def main():
             for mutant in mutants_of(name)]
     if 0 < arguments.sample < len(plan):
         plan = sampled(plan, arguments.sample, arguments.seed)
+    part, parts = (int(number) for number in arguments.part.split("/"))
+    plan = plan[(part - 1) * len(plan) // parts:part * len(plan) // parts]
     if arguments.list:
         for mutant, *_ in plan:
             print(f"{mutant['file']}:{mutant['line']}: {mutant['kind']}: {mutant['old']}  ⇒  {mutant['new']}")
