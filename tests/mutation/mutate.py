@@ -34,6 +34,7 @@ PLACE = Path(os.environ.get("PLUMB_MUTATION", ROOT / "build" / "mutation"))
 TREE = Path(os.environ.get("PLUMB_MUTATION_TREE", PLACE / "tree"))
 BUILD = TREE / "build" / "release"
 QUICK = 0.1  # s, the longest of a quick test
+TIMED = re.compile("Interrupt")  # tests that may fail on a busy machine are tried last
 
 # Files, and the programs of their tests in the order they are run in, with the tests that are meant for them.
 TABLE = [
@@ -261,7 +262,8 @@ class Trial:
         """(outcome of a failure, program, tests), the likeliest and quickest first."""
         def fits(test, patterns):
             return any(fnmatch.fnmatchcase(test, pattern) for pattern in patterns.split(":"))
-        quick = {program: [test for test, taken in self.seconds[program].items() if taken <= QUICK] for program, _ in programs}
+        quick = {program: [test for test, taken in self.seconds[program].items() if taken <= QUICK and not TIMED.search(test)]
+                 for program, _ in programs}
         for program, patterns in programs:
             yield "caught", program, [test for test in quick[program] if fits(test, patterns)]
         for program, patterns in programs:
