@@ -315,7 +315,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="*", help="files that fit the pattern")
     parser.add_argument("--jobs", type=int, default=2, help="of a build")
-    parser.add_argument("--part", default="1/1", metavar="K/N", help="the K-th of N parts, for several at once, each in a place of its own")
+    parser.add_argument("--part", default="1/1", metavar="K/N",
+                        help="the K-th of N parts, for several at once, each in a place of its own")
     parser.add_argument("--quick", action="store_true", help=f"leave out tests that take more than {QUICK} s")
     parser.add_argument("--list", action="store_true", help="print the mutants and try none")
     arguments = parser.parse_args()
@@ -339,6 +340,11 @@ def main():
     if not trial.build(programs):
         sys.exit(f"mutate.py: the build fails without any change; see {PLACE}/build.log")
     trial.measure(programs)
+    for program in programs:
+        meant = {test for _, of in plan for outcome, name, tests in trial.stages(of, True)
+                 if name == program and outcome == "caught" for test in tests}
+        if trial.test(program, sorted(meant), 3600) != 0:
+            sys.exit(f"mutate.py: {program} fails without any change; see {PLACE}/test.log")
     trial.see_objects({mutant["file"] for mutant, _ in plan})
     tests_now = hashlib.sha256(subprocess.run(["git", "ls-files", "-s", "tests"], cwd=ROOT, check=True,
                                               capture_output=True).stdout).hexdigest()
