@@ -49,6 +49,18 @@ TEST(KnownTime, ADistantLastOutputMakesNoOtherTimeTheSame) {
   EXPECT_FALSE(known_time(outputs, 0.101)->output);
 }
 
+TEST(TriedOutputs, AreTwoOnEitherSideButNeverTheEnds) {
+  const std::vector<double> outputs = every(1, 9);
+  const auto tried = [&](double t) { return tried_outputs(outputs, *known_time(outputs, t)); };
+  using Places = std::vector<std::size_t>;
+  EXPECT_EQ(tried(0.5), (Places{1, 2}));
+  EXPECT_EQ(tried(1.5), (Places{1, 2, 3}));
+  EXPECT_EQ(tried(3.5), (Places{2, 3, 4, 5}));
+  EXPECT_EQ(tried(6.5), (Places{5, 6, 7}));
+  EXPECT_EQ(tried(7.5), (Places{6, 7}));
+  EXPECT_EQ(tried(3), Places{});
+}
+
 TEST(TriedDistance, IsThatToTheNearestOutputThatIsKept) {
   const auto tried = [](const std::vector<double>& outputs, double t) {
     return tried_distance(outputs, *known_time(outputs, t));
@@ -57,6 +69,7 @@ TEST(TriedDistance, IsThatToTheNearestOutputThatIsKept) {
   EXPECT_EQ(tried(every(0.25, 9), 0.5), 0) << "an output is not interpolated";
   EXPECT_DOUBLE_EQ(tried({0, 1, 2, 3, 5, 6, 7, 8}, 4), 1) << "the middle of a gap of two";
   EXPECT_DOUBLE_EQ(tried({0, 1, 2, 3, 7, 8, 9, 10}, 5), 1) << "the gap itself was never tried";
+  EXPECT_DOUBLE_EQ(tried({0, 1, 2, 3, 5, 8, 20, 40, 80}, 4), 2) << "only the outputs next to it count";
   EXPECT_EQ(tried(every(0.25, fewest_outputs - 1), 0.3), 0) << "too few to leave half of them out";
 }
 

@@ -48,6 +48,29 @@ TEST(ImageDifference, CountsPixelsAndLevels) {
   EXPECT_GT(found.x + difference_window, 51);
 }
 
+TEST(ImageDifference, TheWindowHoldsNoMoreThanItsSize) {
+  const Image a = plain(64, 48);
+  for (const int apart : {difference_window - 1, difference_window}) {
+    Image beside = a, above = a;
+    for (const int place : {2, 2 + apart}) {
+      set(beside, place, 9, 0);
+      set(above, 9, place, 0);
+    }
+    const double expected = (apart < difference_window ? 2.0 : 1.0) / (difference_window * difference_window);
+    EXPECT_DOUBLE_EQ(difference(a, beside, {}).density, expected) << apart;
+    EXPECT_DOUBLE_EQ(difference(a, above, {}).density, expected) << apart;
+  }
+}
+
+TEST(ImageDifference, OfOnePixelIsWhereThatIs) {
+  const Image a = plain(64, 48);
+  Image b = a;
+  set(b, 50, 40, 0);
+  const ImageDifference found = difference(a, b, {});
+  EXPECT_EQ(found.x, 50 - difference_window + 1) << "the first window that has it";
+  EXPECT_EQ(found.y, 40 - difference_window + 1);
+}
+
 TEST(ImageDifference, OneLevelEverywhereIsWithinTheToleranceButNotIdentical) {
   const ImageDifference found = difference(plain(64, 48, 100), plain(64, 48, 101), {});
   EXPECT_FALSE(found.identical());
@@ -82,6 +105,45 @@ TEST(ImageDifference, MarksWhatWasAddedAndRemoved) {
   const auto at = [&](int x, int y) { return &marks.rgb[static_cast<std::size_t>(3 * (y * 64 + x))]; };
   EXPECT_GT(at(5, 5)[0], at(5, 5)[2]) << "removed: red";
   EXPECT_LT(at(30, 30)[0], at(30, 30)[2]) << "added: blue";
+}
+
+/// Grey levels of one row of pixels.
+Image row(const std::vector<std::uint8_t>& levels, std::vector<std::uint8_t> alpha = {}) {
+  Image image = plain(static_cast<int>(levels.size()), 1);
+  for (std::size_t x = 0; x < levels.size(); ++x) set(image, static_cast<int>(x), 0, levels[x]);
+  image.alpha = std::move(alpha);
+  return image;
+}
+
+TEST(ImageDifference, MarksAreOverThePictureAsItIsSeenOnWhite) {
+  const Image half = row({0, 0, 100, 255}, {255, 51, 0, 255}), seen = row({0, 204, 255, 255});
+  const Image marks = difference_image(half, half, {});
+  EXPECT_EQ(marks.rgb, difference_image(seen, seen, {}).rgb);
+  EXPECT_EQ(marks.rgb[0], 192) << "black in grey";
+  EXPECT_EQ(marks.rgb[3], 243) << "a fifth of black in grey";
+}
+
+TEST(ImageDifference, AMarkIsOfItsOwnPixelAlone) {
+  const Image a = row({200, 255, 255, 200, 0, 255, 255, 255, 255, 255, 255});
+  const Image b = row({255, 0, 255, 255, 255, 255, 255, 255, 255, 255, 255});
+  const Image marks = difference_image(a, b, {});
+  const auto mark = [&](std::size_t x) { return int{marks.rgb[3 * x]} - int{marks.rgb[3 * x + 2]}; };
+  EXPECT_GT(mark(0), 0) << "removed, beside what was added";
+  EXPECT_LT(mark(1), 0) << "added";
+  EXPECT_EQ(mark(2), 0) << "the same";
+  EXPECT_GT(mark(3), 0) << "removed, beside what was removed";
+  EXPECT_GT(mark(4), 0) << "removed";
+}
+
+TEST(ImageDifference, ChangeOfOneChannelIsMarkedAsWhatItIs) {
+  const Image white = plain(8, 1);
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    Image other = white;
+    other.rgb[channel] = 0;
+    const Image removed = difference_image(other, white, {}), added = difference_image(white, other, {});
+    EXPECT_GT(removed.rgb[0], removed.rgb[2]) << "channel " << channel;
+    EXPECT_LT(added.rgb[0], added.rgb[2]) << "channel " << channel;
+  }
 }
 
 /// A line of two pixels' width at a height, drawn with smooth rims.

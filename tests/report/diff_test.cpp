@@ -588,6 +588,23 @@ TEST_F(DiffProgram, IsInterruptedWithinASecond) {
   EXPECT_LT(waited.count(), 2) << "on a machine that does other things too";
 }
 
+TEST(Diff, ANumberThatIsNotFiniteHidesNoOtherOfItsColumn) {
+  for (const char* far : {"inf", "-inf", "nan"}) {
+    const std::string start = fmt::format("x\n{}\n", far);
+    const FileDifference found = compare_files("a.csv", start + "1\n", start + "2\n", {});
+    EXPECT_EQ(found.sameness, Sameness::different) << far;
+    EXPECT_DOUBLE_EQ(found.number, 0.5) << far;
+  }
+}
+
+TEST(Diff, OnlyPicturesAndNumbersHaveADistance) {
+  EXPECT_EQ(compare_files("a.txt", "one", "other", {}).number, -1);
+  EXPECT_EQ(compare_files("run.h5", "one", "other", {}).number, -1);
+  const FileDifference unreadable = compare_files("a.png", "no picture", "nor this", {});
+  EXPECT_EQ(unreadable.sameness, Sameness::unreadable);
+  EXPECT_EQ(unreadable.number, -1);
+}
+
 TEST_F(DiffProgram, PageShowsBothPicturesAndTheMarks) {
   const GlContext context;
   write_text(folder / "a.png", drawn(context, sample(), "one"));
