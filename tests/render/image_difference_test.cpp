@@ -35,7 +35,7 @@ TEST(ImageDifference, OfSizesIsItsOwn) {
 TEST(ImageDifference, CountsPixelsAndLevels) {
   const Image a = plain(64, 48);
   Image b = a;
-  set(b, 10, 10, 254);  // within the tolerance of 8 levels
+  set(b, 10, 10, 247);  // within the tolerance of 8 levels
   set(b, 50, 40, 200);
   set(b, 51, 40, 100);
   set(b, 3, 3, 0);
@@ -52,7 +52,7 @@ TEST(ImageDifference, TheWindowHoldsNoMoreThanItsSize) {
   const Image a = plain(64, 48);
   for (const int apart : {difference_window - 1, difference_window}) {
     Image beside = a, above = a;
-    for (const int place : {2, 2 + apart}) {
+    for (const int place : {0, apart}) {
       set(beside, place, 9, 0);
       set(above, 9, place, 0);
     }
