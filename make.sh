@@ -88,7 +88,7 @@ case ${1:-} in
     tests=0
     ctest --preset "$preset" -j "$(nproc)" || tests=$?
     echo "make.sh: what took longest: $(sort -k3,3nr "build/$preset/Testing/Temporary/CTestCostData.txt" |
-      awk 'NF == 3 && ++n <= 5 { printf "%s%s %.0f s", n > 1 ? ", " : "", $1, $3 }')"
+      awk 'NF == 3 && ++n <= 5 { printf "%s%s %.0f s", (n > 1 ? ", " : ""), $1, $3 }')"
     echo "make.sh: the build was done after $build_seconds s, all after $SECONDS s"
     exit "$tests"
     ;;
