@@ -48,9 +48,9 @@ std::string difference_of_kind(const PngFile& a, const PngFile& b) {
   return {};
 }
 
-bool same_data(const PngFile& a, const std::vector<std::string_view>& data, const PngFile& b,
-               const std::vector<std::string_view>& others) {
-  return a.header == b.header && a.palette == b.palette && a.opacity == b.opacity && data == others;
+bool same_data(const PngFile& a, const std::vector<std::string_view>& data_of_a, const PngFile& b,
+               const std::vector<std::string_view>& data_of_b) {
+  return a.header == b.header && a.palette == b.palette && a.opacity == b.opacity && data_of_a == data_of_b;
 }
 
 /// Holds pairs of pictures against each other and keeps the worst.

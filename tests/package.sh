@@ -55,12 +55,12 @@ if rest=$(comm -13 "$root.before" "$root.after" | grep -i plumb); then
 fi
 
 echo "package: building the example against libplumb-dev"
-in_root sh -c 'apt-get install -q -y --no-install-recommends /packages/libplumb-dev_*.deb cmake g++ make' >"$root.log" 2>&1 || {
+in_root sh -c 'apt-get install -q -y --no-install-recommends /packages/libplumb-dev_*.deb cmake g++ ninja-build' >"$root.log" 2>&1 || {
   tail "$root.log"
   exit 1
 }
 cp -r "$example" "$root/home/engineer/example"
-in_root sh -c 'cmake -S /home/engineer/example -B /tmp/example >/tmp/log && cmake --build /tmp/example >>/tmp/log &&
+in_root sh -c 'cmake -G Ninja -S /home/engineer/example -B /tmp/example >/tmp/log && cmake --build /tmp/example >>/tmp/log &&
   /tmp/example/hanging_cable || { cat /tmp/log; exit 1; }'
 in_root apt-get purge -q -y libplumb-dev >"$root.log"
 rm -f "$root.log" "$root.before" "$root.after"

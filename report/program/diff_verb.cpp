@@ -70,7 +70,7 @@ std::vector<std::string> files_of_both(const std::string& a, const std::string& 
   return files;
 }
 
-nlohmann::ordered_json to_json(const std::vector<FileDifference>& files, bool accepted) {
+nlohmann::ordered_json difference_json(const std::vector<FileDifference>& files, bool accepted) {
   // Where nothing was compared, neither is known.
   const bool agree = compared(files) > 0 && !differs(files);
   nlohmann::ordered_json json{{"different", compared(files) > 0 ? nlohmann::ordered_json(!agree) : nullptr},
@@ -136,7 +136,7 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
     clear_leftovers_of(options.input, [&talk](const std::string& text) { talk.remark(text); });
     talk.line("nothing to accept");
   }
-  if (options.json) print_json(to_json(files, accepts));
+  if (options.json) print_json(difference_json(files, accepts));
   return !accepts && (different || compared(files) == 0) ? ExitStatus::criterion_not_met : ExitStatus::done;
 }
 

@@ -6,7 +6,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
-cmake -S "$here" -B "$work/example" -DCMAKE_PREFIX_PATH="$work/prefix" "${@:2}" >"$work/configure.log" || {
+cmake -G Ninja -S "$here" -B "$work/example" -DCMAKE_PREFIX_PATH="$work/prefix" "${@:2}" >"$work/configure.log" || {
   cat "$work/configure.log"
   exit 1
 }
