@@ -633,13 +633,12 @@ TEST(Diff, LongFilesOfUnknownKindsAreComparedToTheirLastByte) {
     write_text(b, other);
     return word(compare_paths(a, b, {}).at(0).sameness);
   };
-  constexpr std::size_t part = 1U << 20;  // that is read at a time
-  for (const std::size_t size : {std::size_t{0}, std::size_t{9}, part - 1, part, part + 1}) {
-    const std::string text(size, 'x');
-    EXPECT_EQ(result(text, text), "identical") << size;
-    EXPECT_EQ(result(text + 'a', text + 'b'), "different") << size;
-    EXPECT_EQ(result(text, text + 'b'), "different") << size;
-  }
+  EXPECT_EQ(result("", ""), "identical");
+  EXPECT_EQ(result("x", "x"), "identical");
+  EXPECT_EQ(result("x", "xx"), "different");
+  const std::string part(1U << 20, 'x');  // that is read at a time
+  EXPECT_EQ(result(part, part), "identical");
+  EXPECT_EQ(result(part + "a", part + "b"), "different");
 }
 
 TEST(Diff, NumbersThatDifferAreToldWithLineAndColumn) {
