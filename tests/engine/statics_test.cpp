@@ -148,6 +148,33 @@ TEST(Statics, GreenBarIsRefusedBeyondItsLimitPointByName) {
   EXPECT_NEAR(tip(engineering).x(), 0.8, 1e-12);
 }
 
+// Near the limit point the root is almost double, and Newton's iteration halves the error for long.
+TEST(Statics, ToleranceIsAShareOfTheLengthAlsoWhereConvergenceIsSlow) {
+  const double EA = 1e4, share = 0.192;
+  double below = 1 / std::sqrt(3.0), stretch = 1;
+  for (int halvings = 0; halvings < 60; ++halvings) {
+    const double middle = 0.5 * (below + stretch);
+    (0.5 * (middle * middle * middle - middle) > -share ? stretch : below) = middle;
+  }
+  for (const double tolerance : {0.05, 0.03, 0.02, 0.01}) {
+    std::vector<long> iterations;
+    for (const double length : {1.0, 1000.0}) {
+      Case spec = cantilever(length, 1e-2, 1e-2 * length * length, 1e6, 2);  // too stiff to buckle first
+      spec.cable.strain = StrainModel::green_geometric;
+      spec.loads.end_force = {-share * EA, 0, 0};
+      MethodSpec with = method("statics", 1);
+      with.parameters["newton_tolerance"] = tolerance;
+      const Trajectory trajectory = run(spec, with, {1, 1});
+      ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+      const double error = std::abs(tip(trajectory).x() / length - stretch);
+      EXPECT_LE(error, tolerance) << "of " << length << " m";
+      EXPECT_GT(error, 1e-5) << "of " << length << " m: more work than was asked for";
+      iterations.push_back(trajectory.counters.newton_iterations);
+    }
+    EXPECT_EQ(iterations[0], iterations[1]) << "to " << tolerance << " of the length";
+  }
+}
+
 TEST(Statics, LimitPointIsNamedWithTheLoadThatWasReached) {
   Case spec = cantilever(1, 1e-2, 1e-2, 1e6, 4);  // too stiff to buckle first
   spec.loads.end_force = {-0.25e4, 0, 0};
@@ -188,6 +215,21 @@ TEST(Statics, OverloadIsToldForEitherFreeEndAndNotForEngineeringStrain) {
   spec.loads.gravity = {300, 0, 0};
   ASSERT_TRUE(told(1).has_value());
   EXPECT_EQ(told(1)->element, 3);
+}
+
+// Along itself a cable with engineering strain is linear: one correction is the whole answer.
+TEST(Statics, CorrectionsAreTakenWholeUpToTenTimesTheLengthAndAreRoundOffFarBeyond) {
+  const auto stretched = [](double strain) {
+    Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 1);
+    spec.cable.strain = StrainModel::engineering_material;
+    spec.loads.end_force = {strain * 1e4, 0, 0};
+    return settle(spec, 1);
+  };
+  EXPECT_EQ(stretched(9.5).counters.newton_iterations, 2);
+  EXPECT_GT(stretched(10.5).counters.newton_iterations, 2);
+  EXPECT_NEAR(tip(stretched(10.5)).x(), 11.5, 1e-9);
+  EXPECT_EQ(stretched(0.9e10).outcome, Outcome::no_convergence) << stretched(0.9e10).message;
+  EXPECT_EQ(stretched(1.1e10).outcome, Outcome::singular) << stretched(1.1e10).message;
 }
 
 TEST(Statics, CableThatNothingHoldsIsSingular) {

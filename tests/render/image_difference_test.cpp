@@ -146,6 +146,26 @@ TEST(ImageDifference, ChangeOfOneChannelIsMarkedAsWhatItIs) {
   }
 }
 
+TEST(ImageDifference, MarksAreOverOpacitiesRoundedToTheNearestLevel) {
+  const Image faint = row({9}, {16}), seen = row({240});  // 239.56 on white
+  EXPECT_EQ(difference_image(faint, faint, {}).rgb, difference_image(seen, seen, {}).rgb);
+}
+
+TEST(ImageDifference, WhatIsAddedIsToldFromTheCommonestColour) {
+  const auto picture = [](std::uint8_t level, std::size_t channel, std::uint8_t last) {
+    Image image = plain(8, 1, 0);
+    for (std::size_t x = 0; x < 8; ++x) image.rgb[3 * x + channel] = x == 7 ? last : level;
+    return image;
+  };
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const Image ground = picture(100, channel, 100), brighter = picture(100, channel, 180);
+    const Image added = difference_image(ground, brighter, {}),
+                removed = difference_image(brighter, ground, {});
+    EXPECT_LT(added.rgb[21], added.rgb[23]) << "added: blue; channel " << channel;
+    EXPECT_GT(removed.rgb[21], removed.rgb[23]) << "removed: red; channel " << channel;
+  }
+}
+
 /// A line of two pixels' width at a height, drawn with smooth rims.
 Image line_at(const GlContext& context, double height) {
   Canvas canvas(context, 200, 100);

@@ -189,6 +189,8 @@ const OtherCase other_cases[] = {
     {"another end", [](Document& c) { c["time"]["end"] = 2.0; }, "time.end is 2 there and 1 here"},
     {"an end that differs in the twelfth digit", [](Document& c) { c["time"]["end"] = 1.00000000001; },
      "time.end is 1.00000000001 there and 1.0 here"},
+    {"an end that is a text", [](Document& c) { c["time"]["end"] = "1"; },
+     "time.end is 1 there and 1.0 here"},
     {"another output interval", [](Document& c) { c["time"]["output_interval"] = 0.25; },
      "time.output_interval"},
     {"another step", [](Document& c) { c["method"]["step"] = 0.2; }, "method.step is 0.2 there and 0.1 here"},
@@ -319,6 +321,54 @@ TEST(Regression, AVerdictThatPassesNoLongerIsNamed) {
   EXPECT_EQ(verdict.at("value"), 1) << verdict;
   EXPECT_NE(verdict.at("message").get<std::string>().find(before["verdicts"][0]["name"]), std::string::npos)
       << verdict;
+}
+
+TEST(Regression, EveryVerdictThatPassedIsLookedForAndNoOther) {
+  Document before = document_with(0);
+  const Document one = before["verdicts"][0];
+  ASSERT_EQ(one["status"], "passed");
+  const auto add = [&](Document& document, const char* name, const char* status, const char* kind) {
+    document["verdicts"].push_back(one);
+    document["verdicts"].back()["name"] = name;
+    document["verdicts"].back()["status"] = status;
+    document["verdicts"].back()["kind"] = kind;
+  };
+  add(before, "never met", "failed", "validation");
+  add(before, "baseline: gone.x", "passed", "regression");
+  Document now = before;
+  now["verdicts"].erase(2);
+  add(before, "last", "passed", "validation");
+  const auto verdict = [&](Document document) {
+    hold_against_baseline(document, before, "first", default_regression_share);
+    return verdict_named(document, "baseline: verdicts");
+  };
+  const Json gone = verdict(now);
+  EXPECT_EQ(gone.at("value"), 1) << gone;
+  EXPECT_EQ(gone.at("message"), "no longer: last");
+  add(now, "last", "passed", "validation");
+  EXPECT_EQ(verdict(now).at("value"), 0) << verdict(now);
+  before["verdicts"].erase(3);
+  before["verdicts"].erase(0);
+  EXPECT_TRUE(verdict(now).is_null()) << "nothing passed that could be kept: " << verdict(now);
+}
+
+TEST(Regression, LongTextsOfAnotherCaseAreCutBetweenLetters) {
+  const auto told = [](const std::string& text) -> std::string {
+    const Document other = {{"case", {{"note", text}}}}, own = {{"note", "n"}};
+    try {
+      refuse_other_case(other, "first", own);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto words = [](const std::string& text) {
+    return "first: the baseline is of another case: note is " + text + " there and n here";
+  };
+  const std::string long_one = "b" + std::string(58, 'a');
+  EXPECT_EQ(told(long_one + "z"), words(long_one + "z")) << "60 are not too many";
+  EXPECT_EQ(told(long_one + "zz"), words(long_one + "z…"));
+  EXPECT_EQ(told(long_one + "éz"), words(long_one + "…")) << "half a letter is none";
 }
 
 TEST(Regression, AVerdictThatClaimsLessThanItDidIsNamed) {

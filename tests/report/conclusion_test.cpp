@@ -49,6 +49,52 @@ TEST(Conclusion, OfAFailedRunIsWhatWentWrongAndWhatWouldHelp) {
   EXPECT_FALSE(found.good);
 }
 
+TEST(Conclusion, IsOfTheVerdictThatUsesMostOfWhatItIsAllowed) {
+  Document document = document_of(evaluate(run_with("a"), {}), {});
+  Document wide = document["verdicts"][0];
+  wide["name"] = "known: tip.x";
+  wide["value"] = 0.2;
+  wide["limit"] = 1;
+  document["verdicts"].insert(document["verdicts"].begin(), wide);
+  EXPECT_EQ(conclusion_of(document).sentence,
+            "The 1-element run agrees with the published figures to 0.1 m.");
+}
+
+TEST(Conclusion, JoinsTheLastOfSeveralReferencesByAnd) {
+  Document document = document_of(evaluate(run_with("a"), {}), {});
+  for (const char* name : {"second", "third"}) {
+    for (const char* list : {"references", "verdicts"}) document[list].push_back(document[list][0]);
+    document["references"].back()["name"] = name;
+    document["verdicts"].back()["name"] = std::string(name) + ": tip.y";
+  }
+  EXPECT_EQ(
+      conclusion_of(document).sentence,
+      "The 1-element run agrees with the published figures “known” to 0.1 m, with the published figures "
+      "“second” to 0.1 m and with the published figures “third” to 0.1 m.");
+}
+
+TEST(Conclusion, OfWhatIsNoReferenceIsWhetherItIsMet) {
+  Document document = document_of(evaluate(run_with("a"), {}), {});
+  document["verdicts"][0]["name"] = "energy";
+  EXPECT_EQ(conclusion_of(document).sentence,
+            "The 1-element run completed, and what it was held against is met.");
+  document["verdicts"][0]["status"] = "failed";
+  EXPECT_EQ(conclusion_of(document).sentence, "1 of 1 criterion not met: the 1-element run completed.");
+}
+
+TEST(Conclusion, SaysHowFarTheMeshIsFromTheFinestWhereThatIsKnown) {
+  Document document = document_of(evaluate(run_with("a"), {}), {});
+  const std::string plain = "The 1-element run agrees with the published figures to 0.1 m";
+  const auto sentence = [&](const Document& distance) {
+    document["work_precision"] = {{"end", 1.0}, {"mesh", {{"elements", {1, 2}}}}};
+    document["work_precision"]["mesh"]["distance"] = Document::array({distance, nullptr});
+    return conclusion_of(document).sentence;
+  };
+  EXPECT_EQ(sentence(0.5), plain + "; the mesh itself is 0.5 m from that of 2 elements over 1 s.");
+  EXPECT_EQ(sentence(0.0), plain + ".") << "that is no distance";
+  EXPECT_EQ(sentence(nullptr), plain + ".");
+}
+
 TEST(Reproduce, QuotesWhatAShellWouldActOn) {
   EXPECT_EQ(shell_word("cable.elements=1"), "cable.elements=1");
   EXPECT_EQ(shell_word("a b"), "'a b'");

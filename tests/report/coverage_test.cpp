@@ -218,6 +218,16 @@ TEST(Coverage, OneMissingRowIsBorneAndTwoAreNot) {
   EXPECT_EQ(judged(past_the_middle).status, VerdictStatus::not_run) << judged(past_the_middle).message;
 }
 
+TEST(Coverage, GapsAreThoseWithinWhatIsClaimed) {
+  const std::vector<double> late{0, 0.25, 0.5, 0.75, 1, 2}, early{0, 1, 1.25, 1.5, 1.75, 2};
+  const Judged first = judged({.run = rows(late), .reference_keys = "coverage = { to = 1 }"});
+  EXPECT_EQ(first.status, VerdictStatus::passed) << first.message;
+  EXPECT_EQ(first.coverage.longest_gap, 0.25) << first.message;
+  const Judged last = judged({.run = rows(early), .reference_keys = "coverage = { from = 1 }"});
+  EXPECT_EQ(last.status, VerdictStatus::passed) << last.message;
+  EXPECT_EQ(last.coverage.longest_gap, 0.25) << last.message;
+}
+
 TEST(Coverage, ACaseMayClaimLessAndTheVerdictSaysSo) {
   const struct {
     const char* keys;

@@ -600,9 +600,115 @@ TEST(Diff, ANumberThatIsNotFiniteHidesNoOtherOfItsColumn) {
 TEST(Diff, OnlyPicturesAndNumbersHaveADistance) {
   EXPECT_EQ(compare_files("a.txt", "one", "other", {}).number, -1);
   EXPECT_EQ(compare_files("run.h5", "one", "other", {}).number, -1);
+  EXPECT_EQ(compare_files("a.csv", "t,x\n", "t,x \n", {}).number, -1);
   const FileDifference unreadable = compare_files("a.png", "no picture", "nor this", {});
   EXPECT_EQ(unreadable.sameness, Sameness::unreadable);
   EXPECT_EQ(unreadable.number, -1);
+}
+
+TEST(Diff, WhatDiffersInPicturesIsSaidInNumbers) {
+  const FileDifference found = compare_files("a.png", still("abcabc"), still("abcabz"), {});
+  EXPECT_EQ(
+      found.in_words,
+      "2 pixels differ, by up to 23 levels; 2 by more than 8, at most 50 % of a window of 16 pixels, at "
+      "(0, 0); 1 % are allowed");
+  EXPECT_DOUBLE_EQ(found.number, 0.5);
+  EXPECT_EQ(compare_files("a.png", still("abcabc"), MadeAnimation().bytes(), {}).number, -1)
+      << "another kind has no distance";
+}
+
+TEST(Diff, PicturesAreHeldToTheToleranceThatIsAskedFor) {
+  const auto result = [](const std::string& a, const std::string& b, int channel, double density) {
+    return word(compare_files("a.png", a, b, {.channel = channel, .density = density}).sameness);
+  };
+  const std::string black = still(std::string(6, '\0')), white = still(std::string(6, '\xFF'));
+  EXPECT_EQ(result(black, white, 0, 1), "within tolerance") << "all pixels may differ";
+  EXPECT_EQ(result(black, white, 0, 0.99), "different");
+  EXPECT_EQ(result(black, white, 255, 0), "within tolerance") << "by all levels";
+  EXPECT_EQ(result(black, white, 254, 0), "different");
+  const std::string finer = still(std::string(11, '\xFF') + '\xFE', 16, 2);
+  EXPECT_EQ(result(white, finer, 1, 0), "within tolerance") << "by less than a level";
+  EXPECT_EQ(result(white, finer, 0, 1), "different") << "no level is allowed";
+}
+
+TEST(Diff, OneRendererMustGiveTheSameBytesUnlessATolerance) {
+  const auto picture = [](std::uint8_t level, const char* renderer) {
+    return encode_png(Image{2, 2, std::vector<std::uint8_t>(12, level)}, {{renderer_keyword, renderer}});
+  };
+  const std::string before = picture(100, "one");
+  const auto result = [&](const std::string& now, const DifferenceOptions& options) {
+    return compare_files("a.png", before, now, options);
+  };
+  const std::string demand = "the same renderer must give the same bytes";
+  const FileDifference strict = result(picture(101, "one"), {});
+  EXPECT_EQ(word(strict.sameness), "different");
+  EXPECT_NE(strict.in_words.find(demand), std::string::npos) << strict.in_words;
+  for (const FileDifference& loose :
+       {result(picture(101, "other"), {}), result(picture(101, "one"), {.channel = 8, .density = {}}),
+        result(picture(101, "one"), {.channel = {}, .density = 0.01})}) {
+    EXPECT_EQ(word(loose.sameness), "within tolerance");
+    EXPECT_EQ(loose.in_words.find(demand), std::string::npos) << loose.in_words;
+    EXPECT_EQ(loose.first + loose.second + loose.marks, "") << "none are asked for";
+  }
+  const FileDifference shown = result(picture(101, "one"), {.channel = {}, .density = {}, .pictures = true});
+  EXPECT_FALSE(shown.first.empty() || shown.second.empty() || shown.marks.empty());
+}
+
+TEST(Diff, TheWorstFrameIsTold) {
+  const MadeAnimation base{.pixels = {"abc", "abc", "abc"}, .frames = {{2, 2}, {2, 2}, {2, 2}}};
+  MadeAnimation all_then_half = base, half_then_all = base;
+  all_then_half.pixels[1] = half_then_all.pixels[1] = half_then_all.pixels[2] = "xyz";
+  all_then_half.frames[2] = half_then_all.frames[1] = {1, 2, 1, 0};
+  for (const auto& [made, begin] :
+       {std::pair{all_then_half, "frame 1: 4 pixels"}, {half_then_all, "frame 2: 4 pixels"}}) {
+    const FileDifference found = compare_files("a.png", base.bytes(), made.bytes(), {});
+    EXPECT_DOUBLE_EQ(found.number, 1) << begin;
+    EXPECT_TRUE(found.in_words.starts_with(begin)) << found.in_words;
+  }
+}
+
+TEST(Diff, TheStillPictureIsComparedUnlessItIsAFrameOfBoth) {
+  const auto result = [](const MadeAnimation& a, const MadeAnimation& b) {
+    const FileDifference found = compare_files("a.png", a.bytes(), b.bytes(), {});
+    return found.in_words.substr(0, found.in_words.find_first_of(",:"));
+  };
+  const MadeAnimation beside{.still_pixel = "xyz"}, frame{.still_is_frame = true},
+      other_frame{.still_is_frame = true, .pixels = {"xyz", "XYZ"}};
+  EXPECT_EQ(result(beside, frame), "the still picture");
+  EXPECT_EQ(result(frame, beside), "the still picture");
+  EXPECT_EQ(result(frame, other_frame), "frame 0");
+}
+
+TEST(Diff, LongFilesOfUnknownKindsAreComparedToTheirLastByte) {
+  const TemporaryFolder folder;
+  const std::string a = (folder / "a.txt").string(), b = (folder / "b.txt").string();
+  const auto result = [&](const std::string& one, const std::string& other) {
+    write_text(a, one);
+    write_text(b, other);
+    return word(compare_paths(a, b, {}).at(0).sameness);
+  };
+  EXPECT_EQ(result("", ""), "identical");
+  EXPECT_EQ(result("x", "x"), "identical");
+  EXPECT_EQ(result("x", "xx"), "different");
+  const std::string part(1U << 20, 'x');  // that is read at a time
+  EXPECT_EQ(result(part, part), "identical");
+  EXPECT_EQ(result(part + "a", part + "b"), "different");
+}
+
+TEST(Diff, NumbersThatDifferAreToldWithLineAndColumn) {
+  const std::string words = compare_files("a.csv", "t,x\n0,1\n1,2\n", "t,x\n0,1\n1,3\n", {}).in_words;
+  EXPECT_NE(words.find("line 3, x: 2 and 3"), std::string::npos) << words;
+}
+
+TEST(Diff, AVerdictOfAnotherKindOrCriterionIsADifference) {
+  for (const char* key : {"kind", "criterion"}) {
+    const auto with = [&](const char* value) {
+      return fmt::format(R"({{"verdicts":[{{"name":"a","status":"passed","{}":"{}"}}]}})", key, value);
+    };
+    const FileDifference found = compare_files("results.json", with("one"), with("other"), {});
+    EXPECT_EQ(word(found.sameness), "different") << key;
+    EXPECT_EQ(found.in_words, fmt::format("a, {}: one → other", key));
+  }
 }
 
 TEST_F(DiffProgram, PageShowsBothPicturesAndTheMarks) {

@@ -8,6 +8,7 @@
 #include "report/page.h"
 #include "report/results.h"
 #include "tests/engine/given_case.h"
+#include "tests/report/made_run.h"
 #include "tests/report/program.h"
 
 namespace plumb {
@@ -117,6 +118,45 @@ TEST(GivenReport, ADistanceIsJudgedWhereTheCaseGivesATolerance) {
     const plumb::Run run = reported_run(load_case(source), {});
     EXPECT_EQ(evaluate(run, {}).verdicts.at(2).status, status) << tolerance;
   }
+}
+
+/// Rows of the columns at the times of the reference, y = −t² + error and the others 0.
+std::string table(const std::vector<std::string>& columns, double error = 0) {
+  std::string text = "t";
+  for (const std::string& column : columns) text += "," + column;
+  for (const double t : {0.0, 0.5, 1.0}) {
+    text += "\n" + std::to_string(t);
+    for (const std::string& column : columns)
+      text += "," + std::to_string(column == "tip.y" ? -t * t + error : 0);
+  }
+  return text + "\n";
+}
+
+TEST(GivenReport, AColumnThatIsNotComparedHidesNoneBehindIt) {
+  const std::string other = "[[run]]\nfile = \"other.csv\"\ntolerances = { \"tip.y\" = 0.005 }";
+  for (const std::vector<std::string>& columns :
+       {std::vector<std::string>{"tip.y"}, {"tip.x", "tip.y"}, {"tip.y", "tip.z"}}) {
+    CaseSource source = given_case(table(columns), other);
+    source.given_runs.push_back({"other.csv", table({"tip.x", "tip.y", "tip.z"}, 0.01)});
+    const plumb::Run run = reported_run(load_case(source), {});
+    const Results results = evaluate(run, {});
+    EXPECT_EQ(results.distances.size(), columns.size()) << columns.front();
+    ASSERT_EQ(results.verdicts.size(), 3U) << columns.front();
+    EXPECT_EQ(results.verdicts[2].name, "other: chrono: tip.y");
+    EXPECT_EQ(results.verdicts[2].status, VerdictStatus::failed) << results.verdicts[2].message;
+  }
+}
+
+TEST(GivenReport, AGivenRunBesideOneOfPlumbsOwnIsHeldAgainstTheReferenceToo) {
+  plumb::Run run = run_with("a");
+  CaseSource source = run.loaded.source;
+  source.file.text += "\n[[run]]\nfile = \"other.csv\"\n";
+  source.given_runs = {{"other.csv", table({"tip.y"}, 5)}};
+  run.loaded = load_case(source);
+  const std::vector<Verdict> found = evaluate(run, {}).verdicts;
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[1].name, "other: known: tip.y");
+  EXPECT_EQ(found[1].status, VerdictStatus::failed) << found[1].message;
 }
 
 TEST(GivenReport, WhatIsNotKnownOfItIsNoNumberInTheDocumentAndSaidSoOnThePage) {
