@@ -237,6 +237,7 @@ bool PartFolder::empty() {
 }
 
 std::string PartFolder::clear() {
+  mark_ = {};  // where a process may have no more descriptors, to look into the folder takes this one
   const std::string left = clear_folder(path_, folder_.get(), own_);
   let_go();
   return left;
