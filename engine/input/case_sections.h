@@ -102,6 +102,10 @@ StabilitySpec read_stability(TableReader table, const std::map<std::string, doub
 
 /// [study.sweep]; an empty table gives the defaults.
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
+
+/// The key `tolerance` of a study that calls runs accurate, m; at most the length of the cable, as hardly any
+/// run is further off than that.
+double read_accuracy(TableReader& table, const CableSpec& cable, double fallback);
 SweepSpec default_sweep(const CableSpec& cable);
 
 /// [study.economy]; an empty table gives the defaults.

@@ -54,4 +54,12 @@ CableSpec read_cable(TableReader table, bool has_mesh) {
   return cable;
 }
 
+double read_accuracy(TableReader& table, const CableSpec& cable, double fallback) {
+  const double tolerance = table.number("tolerance", Range::positive("m"), fallback);
+  if (tolerance > cable.length)
+    table.refuse_value("tolerance",
+                       fmt::format("must be at most the length of the cable, {:g} m", cable.length));
+  return tolerance;
+}
+
 }  // namespace plumb

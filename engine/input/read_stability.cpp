@@ -158,14 +158,10 @@ StabilitySpec read_stability(TableReader table, const std::map<std::string, doub
   spec.loosest_tolerance = table.number("loosest_tolerance", tolerance_range, spec.loosest_tolerance);
   spec.tightest_tolerance = table.number("tightest_tolerance", tolerance_range, spec.tightest_tolerance);
   spec.steps = table.whole("steps", fewest_steps, most_steps, spec.steps);
-  spec.tolerance = table.number("tolerance", Range::positive("m"), spec.tolerance);
+  spec.tolerance = read_accuracy(table, cable, spec.tolerance);
   spec.time_limit = table.number("time_limit", Range::positive("s"), spec.time_limit);
   spec.energy_step = table.number("energy_step", Range::positive("s"), 0);
   table.finish();
-  // Hardly any run is further off than that.
-  if (spec.tolerance > cable.length)
-    table.refuse_value("tolerance",
-                       fmt::format("must be at most the length of the cable, {:g} m", cable.length));
 
   set_default_steps(spec, cable);
   check_steps(table, spec, time);

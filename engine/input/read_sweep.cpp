@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "engine/input/case_sections.h"
 
 namespace plumb {
@@ -11,13 +9,9 @@ SweepSpec read_sweep(TableReader table, const CableSpec& cable) {
   spec.cases = table.whole("cases", 1, most_cases, spec.cases);
   spec.seed = static_cast<long>(
       table.number("seed", Range::whole_between(0, greatest_seed), static_cast<double>(spec.seed)));
-  spec.tolerance = table.number("tolerance", Range::positive("m"), spec.tolerance);
+  spec.tolerance = read_accuracy(table, cable, spec.tolerance);
   spec.time_limit = table.number("time_limit", Range::positive("s"), spec.time_limit);
   table.finish();
-  // Hardly any run is further off than that.
-  if (spec.tolerance > cable.length)
-    table.refuse_value("tolerance",
-                       fmt::format("must be at most the length of the cable, {:g} m", cable.length));
   return spec;
 }
 

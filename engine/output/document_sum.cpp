@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/errors.h"
+#include "engine/input/parse_json.h"
 #include "engine/message.h"
 #include "engine/output/sha256.h"
 
@@ -43,6 +44,14 @@ void refuse_changed(const json& document, const std::string& file, bool must_hav
   if (sum == DocumentSum::none && must_have_sum)
     throw InputError(one_line(fmt::format(
         "{}: cannot be used: it has no {}, as all has that this version writes", file, check_sum_key)));
+}
+
+void refuse_changed_text(const std::string& text, const std::string& file) {
+  refuse_changed(parse_json<json>(text, file), file, true);
+}
+
+std::string remark_without_sum(const std::string& file) {
+  return fmt::format("{} has no {}: nothing tells whether it is as it was written", file, check_sum_key);
 }
 
 }  // namespace plumb

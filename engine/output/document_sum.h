@@ -22,4 +22,10 @@ std::string to_summed_text(nlohmann::ordered_json document, int indent);
 /// sum has none.
 void refuse_changed(const nlohmann::json& document, const std::string& file, bool must_have_sum);
 
+/// The same for the text of a document that must have a check sum; also for one that is no JSON.
+void refuse_changed_text(const std::string& text, const std::string& file);
+
+/// What to say where a document without a check sum is taken as it is.
+std::string remark_without_sum(const std::string& file);
+
 }  // namespace plumb

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "engine/input/file_text.h"
-#include "engine/input/parse_json.h"
 #include "engine/output/document_sum.h"
 #include "engine/study/run_budget.h"
 #include "engine/study/run_uncertainty.h"
@@ -45,7 +44,7 @@ Assessment assessment_beside(const std::string& run_path, const Run& run) {
   const fs::path file = folder / assessment_file_name;
   if (!fs::exists(file, ignored)) return {};
   const std::string text = read_whole_file(file.string());
-  refuse_changed(parse_json<nlohmann::json>(text, file.string()), file.string(), true);
+  refuse_changed_text(text, file.string());
   return decode_assessment(text, file.string(), run);
 }
 

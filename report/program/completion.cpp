@@ -3,14 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include "engine/errors.h"
-#include "report/program/manual.h"
+#include "report/program/command_line_texts.h"
 
 namespace plumb {
 namespace {
-
-std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
 
 /// Every option as it is typed: "-o", "--output".
 std::vector<std::string> typed_names(const CLI::Option& option) {

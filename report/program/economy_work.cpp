@@ -6,7 +6,6 @@
 
 #include "engine/errors.h"
 #include "engine/input/file_text.h"
-#include "engine/input/parse_json.h"
 #include "engine/output/document_sum.h"
 #include "engine/study/choose_rung.h"
 #include "engine/study/economy_json.h"
@@ -33,7 +32,7 @@ std::optional<std::string> choice_text_in(const std::string& folder) {
 
 bool is_as_written(const std::string& text) {
   try {
-    refuse_changed(parse_json<nlohmann::json>(text, choice_file_name), choice_file_name, true);
+    refuse_changed_text(text, choice_file_name);
     return true;
   } catch (const InputError&) {
     return false;
@@ -102,8 +101,7 @@ std::optional<Economy> choice_beside(const std::string& run_path, const Run& run
       fs::is_directory(run_path, ignored) ? fs::path(run_path) : fs::path(run_path).parent_path();
   const std::optional<std::string> text = choice_text_in(beside.string());
   if (!text) return {};
-  const std::string file = (beside / choice_file_name).string();
-  refuse_changed(parse_json<nlohmann::json>(*text, file), file, true);
+  refuse_changed_text(*text, (beside / choice_file_name).string());
   std::optional<Economy> economy = decode_choice_made(*text, run.loaded.source);
   if (economy) folder.write(choice_file_name, *text);
   return economy;

@@ -49,9 +49,7 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
   const std::string source = fs::absolute(options.from).parent_path().string();
   const fs::path folder = options.output.empty() ? source : options.output;
   const Remade made = remake(options.from, source);
-  if (!made.document.contains(check_sum_key))
-    talk.remark(fmt::format("{} has no {}: nothing tells whether it is as it was written", options.from,
-                            check_sum_key));
+  if (!made.document.contains(check_sum_key)) talk.remark(remark_without_sum(options.from));
   OutputFolder output(folder.string(), {.content = FolderContent::pages,
                                         .sources = {options.from},
                                         .adds = true,

@@ -1,10 +1,9 @@
-#include "report/program/manual.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include "render/environment.h"
+#include "report/program/command_line_texts.h"
 
 namespace plumb {
 namespace {
@@ -58,6 +57,10 @@ std::string usage_of(const CLI::App& verb) {
 
 }  // namespace
 
+std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 std::string manual_page(const CLI::App& app) {
   std::string page = ".TH PLUMB 1 \"\" \"Plumb " PLUMB_VERSION "\" \"User Commands\"\n";
   page += ".SH NAME\nplumb \\- integrate a flexible cable, draw it, and report how far it can be trusted\n";
@@ -66,8 +69,7 @@ std::string manual_page(const CLI::App& app) {
           "\n.PP\nA case is a TOML file, or the name of one that came with the program, such as "
           "\\fBpendulum\\fR.\n";
   page += ".SH VERBS\n";
-  const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
-  for (const CLI::App* verb : verbs)
+  for (const CLI::App* verb : verbs_of(app))
     page += fmt::format(".SS {}\n{}.\n.PP\n{}\n{}", roff(verb->get_name()), roff(verb->get_description()),
                         usage_of(*verb), list_of(*verb));
   page += ".SH OPTIONS\n" + list_of(app);

@@ -152,9 +152,7 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const std::string file = (own / "results.json").string();
     reports.push_back({seen.generic_string(), find_document(file)});
     check_claims(reports.back().document, file);
-    if (!reports.back().document.contains(check_sum_key))
-      talk.remark(
-          fmt::format("{} has no {}: nothing tells whether it is as it was written", file, check_sum_key));
+    if (!reports.back().document.contains(check_sum_key)) talk.remark(remark_without_sum(file));
     use.reads.push_back((own / "results.json").string());
   }
   OutputFolder index(folder, use);

@@ -1,5 +1,4 @@
 #include "engine/errors.h"
-#include "engine/input/parse_json.h"
 #include "engine/output/document_sum.h"
 #include "report/program/assessment_work.h"
 #include "report/program/economy_work.h"
@@ -29,7 +28,7 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   }
   if (const auto json = study_json_at(options.input)) {
     const StudyKind& kind = kind_of_study_json(*json);
-    refuse_changed(parse_json<nlohmann::json>(json->text, json->name), json->name, true);
+    refuse_changed_text(json->text, json->name);
     OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
     return kind.report(json->text, folder, stages, options, talk);
   }

@@ -2,12 +2,16 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
 }
 
 namespace plumb {
+
+/// All verbs of the command line.
+std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 
 /// The manual page of the command line, plumb(1), in the man macros of roff: all that --help says.
 std::string manual_page(const CLI::App& app);
