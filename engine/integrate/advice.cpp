@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/input/case.h"
-#include "engine/integrate/amplification.h"
+#include "engine/case/case.h"
+#include "engine/integrate/linear_stability.h"
 #include "engine/integrate/method_info.h"
 #include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <ctime>
 
+#include "engine/base/interrupt.h"
 #include "engine/integrate/advice.h"
+#include "engine/integrate/methods/rigid_rod.h"
 #include "engine/integrate/monitor.h"
-#include "engine/integrate/rigid_rod.h"
-#include "engine/interrupt.h"
 #include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
 

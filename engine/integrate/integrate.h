@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 #include "engine/integrate/method.h"
 #include "engine/integrate/trajectory.h"
 

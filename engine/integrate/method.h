@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 #include "engine/integrate/dynamics.h"
 #include "engine/integrate/method_info.h"
 #include "engine/integrate/state.h"

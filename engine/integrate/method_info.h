@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 
 namespace plumb {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 #include "engine/kernels/kernels.h"
 
 namespace plumb {

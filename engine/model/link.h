@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 
 namespace plumb {
 

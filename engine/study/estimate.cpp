@@ -8,8 +8,8 @@
 #include <map>
 #include <span>
 
-#include "engine/input/straight_frequency.h"
 #include "engine/integrate/method_info.h"
+#include "engine/model/straight_frequency.h"
 
 namespace plumb {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/input/case.h"
+#include "engine/case/case.h"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #include "report/library/plumb.h"
 
-#include "engine/errors.h"
+#include "engine/base/errors.h"
 #include "engine/integrate/integrate.h"
-#include "engine/output/run.h"
-#include "report/results.h"
+#include "engine/run/run.h"
+#include "report/verdict/results.h"
 
 namespace plumb {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/case_json.h"
+#include "report/document/case_json.h"
 #include "report/program/limits.h"
 #include "report/program/print_json.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/verbs.h"
-#include "report/program/work.h"
 
 namespace plumb {
 

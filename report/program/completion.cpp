@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "engine/errors.h"
+#include "engine/base/errors.h"
 #include "report/program/command_line_texts.h"
 
 namespace plumb {

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
-#include "engine/input/file_text.h"
-#include "engine/interrupt.h"
-#include "engine/message.h"
-#include "engine/output/file_writing.h"
-#include "engine/output/output_folder.h"
-#include "report/difference_page.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_text.h"
+#include "engine/base/file_writing.h"
+#include "engine/base/interrupt.h"
+#include "engine/base/message.h"
+#include "engine/run/output_folder.h"
+#include "report/diff/difference_page.h"
 #include "report/program/output_use.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/integrate/method_info.h"
-#include "engine/output/provenance.h"
-#include "render/environment.h"
-#include "render/gl_context.h"
+#include "engine/run/provenance.h"
+#include "render/gl/environment.h"
+#include "render/gl/gl_context.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 

@@ -5,9 +5,9 @@
 
 #include <charconv>
 
-#include "engine/errors.h"
-#include "report/program/work.h"
-#include "report/reference_points.h"
+#include "engine/base/errors.h"
+#include "report/program/run_pipeline.h"
+#include "report/verdict/reference_points.h"
 
 namespace plumb {
 namespace {

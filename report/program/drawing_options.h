@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "engine/input/case_source.h"
-#include "render/frame_stream.h"
-#include "report/other_runs.h"
+#include "engine/case/case_source.h"
+#include "render/scene/frame_stream.h"
+#include "report/figure/other_runs.h"
+#include "report/figure/scene_of_run.h"
+#include "report/program/console.h"
 #include "report/program/options.h"
-#include "report/program/talk.h"
-#include "report/scene_of_run.h"
 
 namespace plumb {
 

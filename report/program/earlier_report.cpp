@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "engine/errors.h"
-#include "report/changes.h"
-#include "report/regression.h"
+#include "engine/base/errors.h"
+#include "report/document/changes.h"
+#include "report/document/regression.h"
 
 namespace plumb {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/document.h"
+#include "report/document/document.h"
 #include "report/program/options.h"
 
 namespace plumb {

@@ -1,10 +1,10 @@
-#include "engine/study/economy_study_json.h"
-#include "engine/study/run_economy.h"
-#include "report/economy_gauge.h"
-#include "report/economy_results.h"
+#include "engine/study/economy/economy_study_json.h"
+#include "engine/study/economy/run_economy.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
-#include "report/program/work.h"
+#include "report/study/economy/economy_gauge.h"
+#include "report/study/economy/economy_results.h"
 
 namespace plumb {
 namespace {

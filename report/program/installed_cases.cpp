@@ -6,9 +6,9 @@
 #include <array>
 #include <filesystem>
 
-#include "engine/errors.h"
-#include "engine/input/nearest.h"
-#include "engine/message.h"
+#include "engine/base/errors.h"
+#include "engine/base/message.h"
+#include "engine/base/nearest.h"
 
 namespace plumb {
 namespace {

@@ -13,10 +13,10 @@
 #include <fstream>
 #include <optional>
 
-#include "engine/errors.h"
-#include "engine/input/case_source.h"
-#include "engine/input/nearest.h"
-#include "engine/output/file_writing.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "engine/base/nearest.h"
+#include "engine/case/case_source.h"
 
 namespace plumb {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/study/estimate.h"
+#include "report/program/console.h"
 #include "report/program/options.h"
-#include "report/program/talk.h"
 
 /// What a command may take, and what it is expected to.
 namespace plumb {

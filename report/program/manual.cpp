@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "render/environment.h"
+#include "render/gl/environment.h"
 #include "report/program/command_line_texts.h"
 
 namespace plumb {

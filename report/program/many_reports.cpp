@@ -9,15 +9,15 @@
 #include <map>
 #include <optional>
 
-#include "engine/errors.h"
-#include "engine/output/document_sum.h"
-#include "engine/output/file_writing.h"
+#include "engine/base/document_sum.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "report/index/run_index.h"
 #include "report/program/earlier_report.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/verbs.h"
-#include "report/program/work.h"
-#include "report/run_index.h"
 
 namespace plumb {
 

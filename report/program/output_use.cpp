@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/errors.h"
-#include "engine/output/file_writing.h"
-#include "render/gl_context.h"
-#include "render/text.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "render/gl/gl_context.h"
+#include "render/gl/text.h"
 
 namespace plumb {
 

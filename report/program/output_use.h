@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/input/case_source.h"
-#include "engine/output/output_folder.h"
+#include "engine/case/case_source.h"
+#include "engine/run/output_folder.h"
+#include "report/program/console.h"
 #include "report/program/options.h"
-#include "report/program/talk.h"
 
 /// What the verbs read and write, so that nothing that is read is overwritten.
 namespace plumb {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/output/file_writing.h"
+#include "engine/base/file_writing.h"
 
 namespace plumb {
 

@@ -14,19 +14,19 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "engine/errors.h"
-#include "engine/input/nearest.h"
-#include "engine/interrupt.h"
-#include "engine/message.h"
-#include "engine/output/file_writing.h"
-#include "render/environment.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "engine/base/interrupt.h"
+#include "engine/base/message.h"
+#include "engine/base/nearest.h"
+#include "render/gl/environment.h"
+#include "report/base/stages.h"
 #include "report/program/command_line_texts.h"
 #include "report/program/installed_cases.h"
 #include "report/program/limits.h"
 #include "report/program/study_kinds.h"
 #include "report/program/surroundings.h"
 #include "report/program/verbs.h"
-#include "report/stages.h"
 
 namespace plumb {
 namespace {

@@ -3,16 +3,16 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
-#include "engine/output/file_writing.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "report/figure/scene_of_run.h"
 #include "report/program/drawing_options.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
 #include "report/program/print_json.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/verbs.h"
 #include "report/program/video.h"
-#include "report/program/work.h"
-#include "report/scene_of_run.h"
 
 namespace plumb {
 namespace {

@@ -1,15 +1,15 @@
-#include "engine/errors.h"
-#include "engine/output/document_sum.h"
-#include "report/program/assessment_work.h"
-#include "report/program/economy_work.h"
-#include "report/program/from_document.h"
+#include "engine/base/document_sum.h"
+#include "engine/base/errors.h"
+#include "report/program/assessment_pipeline.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
+#include "report/program/rebuild_report.h"
+#include "report/program/run_pipeline.h"
+#include "report/program/scene_choice.h"
 #include "report/program/study_kinds.h"
-#include "report/program/study_work.h"
 #include "report/program/verbs.h"
-#include "report/program/work.h"
+#include "report/program/work_precision_pipeline.h"
 
 namespace plumb {
 

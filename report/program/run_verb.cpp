@@ -1,17 +1,17 @@
 #include <optional>
 
-#include "report/case_json.h"
-#include "report/economy_text.h"
-#include "report/program/assessment_work.h"
+#include "report/document/case_json.h"
+#include "report/document/regression.h"
+#include "report/program/assessment_pipeline.h"
 #include "report/program/earlier_report.h"
-#include "report/program/economy_work.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
-#include "report/program/study_work.h"
+#include "report/program/run_pipeline.h"
+#include "report/program/scene_choice.h"
 #include "report/program/verbs.h"
-#include "report/program/work.h"
-#include "report/regression.h"
+#include "report/program/work_precision_pipeline.h"
+#include "report/study/economy/economy_text.h"
 
 namespace plumb {
 

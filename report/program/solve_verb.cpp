@@ -1,14 +1,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "engine/output/file_writing.h"
-#include "report/case_json.h"
-#include "report/program/economy_work.h"
+#include "engine/base/file_writing.h"
+#include "report/document/case_json.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
 #include "report/program/print_json.h"
+#include "report/program/run_pipeline.h"
+#include "report/program/scene_choice.h"
 #include "report/program/verbs.h"
-#include "report/program/work.h"
 
 namespace plumb {
 

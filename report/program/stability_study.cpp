@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include "engine/study/run_stability.h"
+#include "engine/study/stability/run_stability.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
-#include "report/program/work.h"
-#include "report/stability_figures.h"
-#include "report/stability_page.h"
-#include "report/stability_results.h"
+#include "report/study/stability/stability_figures.h"
+#include "report/study/stability/stability_page.h"
+#include "report/study/stability/stability_results.h"
 
 namespace plumb {
 namespace {

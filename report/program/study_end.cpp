@@ -1,7 +1,7 @@
 #include "report/program/study_end.h"
 
-#include "engine/output/file_writing.h"
-#include "report/program/work.h"
+#include "engine/base/file_writing.h"
+#include "report/program/run_pipeline.h"
 
 namespace plumb {
 

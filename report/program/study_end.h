@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/output/output_folder.h"
+#include "engine/run/output_folder.h"
+#include "report/base/stages.h"
+#include "report/program/console.h"
 #include "report/program/options.h"
-#include "report/program/talk.h"
-#include "report/stages.h"
-#include "report/verdict.h"
+#include "report/verdict/verdict.h"
 
 /// How every kind of study ends.
 namespace plumb {

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/errors.h"
-#include "engine/input/file_text.h"
-#include "engine/input/nearest.h"
-#include "engine/input/parse_json.h"
-#include "engine/message.h"
-#include "engine/study/economy_study_json.h"
-#include "engine/study/stability_file.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_text.h"
+#include "engine/base/message.h"
+#include "engine/base/nearest.h"
+#include "engine/base/parse_json.h"
+#include "engine/study/economy/economy_study_json.h"
+#include "engine/study/stability/stability_file.h"
 
 namespace plumb {
 

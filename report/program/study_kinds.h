@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/input/case_source.h"
-#include "engine/output/output_folder.h"
+#include "engine/case/case_source.h"
+#include "engine/run/output_folder.h"
+#include "report/base/stages.h"
+#include "report/program/console.h"
 #include "report/program/options.h"
-#include "report/program/talk.h"
-#include "report/stages.h"
 
 namespace plumb {
 

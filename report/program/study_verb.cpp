@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include "engine/errors.h"
-#include "engine/output/file_writing.h"
-#include "engine/study/economy_study_json.h"
-#include "report/program/economy_work.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "engine/study/economy/economy_study_json.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
+#include "report/program/run_pipeline.h"
+#include "report/program/scene_choice.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
-#include "report/program/work.h"
 
 namespace plumb {
 

@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "engine/errors.h"
+#include "engine/base/errors.h"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
-#include "engine/study/run_sweep.h"
-#include "engine/study/sweep_json.h"
+#include "engine/study/sweep/run_sweep.h"
+#include "engine/study/sweep/sweep_json.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
-#include "report/program/work.h"
-#include "report/sweep_report.h"
+#include "report/study/sweep/sweep_report.h"
 
 namespace plumb {
 namespace {

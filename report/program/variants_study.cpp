@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "engine/errors.h"
-#include "engine/study/variants_file.h"
-#include "render/gl_context.h"
+#include "engine/base/errors.h"
+#include "engine/study/variants/variants_file.h"
+#include "render/gl/gl_context.h"
+#include "report/program/run_pipeline.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
-#include "report/program/work.h"
-#include "report/variants_figures.h"
-#include "report/variants_page.h"
+#include "report/study/variants/variants_figures.h"
+#include "report/study/variants/variants_page.h"
 
 namespace plumb {
 namespace {

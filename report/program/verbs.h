@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
+#include "report/program/console.h"
 #include "report/program/options.h"
-#include "report/program/talk.h"
 
 namespace plumb {
 

@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "engine/errors.h"
-#include "engine/input/file_text.h"
-#include "engine/interrupt.h"
-#include "engine/output/file_writing.h"
+#include "engine/base/errors.h"
+#include "engine/base/file_text.h"
+#include "engine/base/file_writing.h"
+#include "engine/base/interrupt.h"
 
 namespace plumb {
 namespace {

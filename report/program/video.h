@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/output/part_folder.h"
+#include "engine/base/part_folder.h"
 
 namespace plumb {
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "engine/errors.h"
-#include "engine/study/run_work_precision.h"
+#include "engine/base/errors.h"
+#include "engine/study/work_precision/run_work_precision.h"
 #include "report/program/study_kinds.h"
-#include "report/program/study_work.h"
+#include "report/program/work_precision_pipeline.h"
 
 namespace plumb {
 

@@ -10,8 +10,8 @@
 #include "engine/integrate/method.h"
 #include "engine/model/cable.h"
 #include "tests/bench/kernel_chain.h"
+#include "tests/engine/model/plain_element.h"
 #include "tests/engine/pendulum.h"
-#include "tests/engine/plain_element.h"
 
 // What one thing costs as a multiple of another. Both are timed in turn, many times over, and the least of
 // each counts: whatever else the machine does meets both.

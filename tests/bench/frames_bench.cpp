@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "engine/integrate/integrate.h"
-#include "render/canvas.h"
-#include "render/frame_stream.h"
-#include "render/scene.h"
+#include "render/gl/canvas.h"
+#include "render/scene/frame_stream.h"
+#include "render/scene/scene.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/kernels/kernels.h"
-#include "tests/engine/plain_element.h"
+#include "tests/engine/model/plain_element.h"
 
 namespace plumb {
 

@@ -1,4 +1,4 @@
-#include "report/page.h"
+#include "report/page/page.h"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,14 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/input/file_text.h"
-#include "render/apng.h"
-#include "render/png.h"
-#include "report/base64.h"
-#include "report/document.h"
+#include "engine/base/file_text.h"
+#include "render/image/apng.h"
+#include "render/image/png.h"
+#include "report/base/base64.h"
+#include "report/document/document.h"
 #include "tests/browser/chromium.h"
 #include "tests/report/made_run.h"
-#include "tests/report/program.h"
+#include "tests/report/program/program.h"
 
 // The page of a run in Debian's Chromium. All tests read the same three pages, which the first one makes: of
 // a run of the pendulum, of one that failed, and of one with hostile texts.

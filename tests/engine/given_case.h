@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/input/case_source.h"
+#include "engine/case/case_source.h"
 
 namespace plumb {
 

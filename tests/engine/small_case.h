@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/input/case_source.h"
+#include "engine/case/case_source.h"
 
 namespace plumb {
 

@@ -1,7 +1,7 @@
-#include "report/document.h"
+#include "report/document/document.h"
 #include "tests/fuzz/target.h"
-#include "tests/report/made_assessment.h"
 #include "tests/report/made_run.h"
+#include "tests/report/study/uncertainty/made_assessment.h"
 
 namespace plumb::fuzz {
 namespace {

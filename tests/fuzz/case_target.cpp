@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/input/case_source.h"
-#include "engine/input/uncertain_keys.h"
-#include "engine/study/case_source_json.h"
+#include "engine/case/case_source.h"
+#include "engine/read/uncertain_keys.h"
+#include "engine/run/case_source_json.h"
 #include "tests/fuzz/small_files.h"
 
 namespace plumb::fuzz {

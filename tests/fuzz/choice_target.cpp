@@ -1,5 +1,5 @@
-#include "engine/study/economy_json.h"
-#include "tests/engine/tiny_sweep.h"
+#include "engine/study/economy/economy_json.h"
+#include "tests/engine/study/sweep/tiny_sweep.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

@@ -1,5 +1,5 @@
-#include "engine/input/csv.h"
-#include "engine/input/given_table.h"
+#include "engine/base/csv.h"
+#include "engine/read/given_table.h"
 #include "tests/fuzz/small_files.h"
 
 namespace plumb::fuzz {

@@ -1,6 +1,6 @@
-#include "render/apng.h"
-#include "render/png.h"
-#include "report/file_difference.h"
+#include "render/image/apng.h"
+#include "render/image/png.h"
+#include "report/diff/file_difference.h"
 #include "tests/fuzz/mended_png.h"
 #include "tests/fuzz/target.h"
 

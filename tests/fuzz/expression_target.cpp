@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "engine/input/expression.h"
+#include "engine/read/expression.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

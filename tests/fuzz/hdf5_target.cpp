@@ -1,5 +1,5 @@
-#include "engine/input/given_table.h"
-#include "engine/output/hdf5.h"
+#include "engine/base/hdf5.h"
+#include "engine/read/given_table.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "engine/study/study_journal.h"
+#include "engine/study/work_precision/journal.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "engine/output/manifest.h"
+#include "engine/base/manifest.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

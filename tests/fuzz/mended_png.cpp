@@ -1,6 +1,6 @@
 #include "tests/fuzz/mended_png.h"
 
-#include "render/png_chunks.h"
+#include "render/image/png_chunks.h"
 
 namespace plumb::fuzz {
 

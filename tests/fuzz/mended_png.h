@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/image.h"
+#include "render/image/image.h"
 
 namespace plumb::fuzz {
 

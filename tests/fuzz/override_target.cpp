@@ -1,5 +1,5 @@
-#include "engine/input/override.h"
-#include "engine/input/value_text.h"
+#include "engine/read/override.h"
+#include "engine/read/value_text.h"
 #include "tests/fuzz/small_files.h"
 
 namespace plumb::fuzz {

@@ -1,4 +1,4 @@
-#include "engine/output/packed.h"
+#include "engine/base/packed.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

@@ -1,8 +1,8 @@
-#include "render/apng.h"
-#include "render/apng_player.h"
-#include "render/image_difference.h"
-#include "render/png.h"
-#include "render/png_chunks.h"
+#include "render/image/apng.h"
+#include "render/image/apng_player.h"
+#include "render/image/image_difference.h"
+#include "render/image/png.h"
+#include "render/image/png_chunks.h"
 #include "tests/fuzz/mended_png.h"
 #include "tests/fuzz/target.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/input/file_text.h"
+#include "engine/base/file_text.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

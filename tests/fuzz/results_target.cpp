@@ -1,7 +1,7 @@
-#include "report/changes.h"
-#include "report/document.h"
-#include "report/page.h"
-#include "report/regression.h"
+#include "report/document/changes.h"
+#include "report/document/document.h"
+#include "report/document/regression.h"
+#include "report/page/page.h"
 #include "tests/fuzz/target.h"
 #include "tests/report/made_run.h"
 

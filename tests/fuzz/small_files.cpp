@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "engine/input/file_text.h"
+#include "engine/base/file_text.h"
 
 namespace plumb::fuzz {
 namespace {

@@ -1,15 +1,15 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/study/economy_study_json.h"
-#include "engine/study/run_economy.h"
-#include "engine/study/stability_file.h"
-#include "engine/study/sweep_json.h"
-#include "engine/study/variants_file.h"
+#include "engine/study/economy/economy_study_json.h"
+#include "engine/study/economy/run_economy.h"
+#include "engine/study/stability/stability_file.h"
+#include "engine/study/sweep/sweep_json.h"
+#include "engine/study/variants/variants_file.h"
 #include "report/program/study_kinds.h"
-#include "tests/engine/tiny_sweep.h"
+#include "tests/engine/study/sweep/tiny_sweep.h"
 #include "tests/fuzz/target.h"
 #include "tests/report/made_run.h"
-#include "tests/report/made_stability.h"
+#include "tests/report/study/stability/made_stability.h"
 
 namespace plumb::fuzz {
 namespace {

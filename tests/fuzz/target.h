@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/errors.h"
+#include "engine/base/errors.h"
 
 namespace plumb::fuzz {
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "engine/input/units.h"
+#include "engine/base/units.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

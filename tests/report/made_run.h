@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/output/run.h"
+#include "engine/run/run.h"
 
 namespace plumb {
 

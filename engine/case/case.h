@@ -1,0 +1,249 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/case/report_specs.h"
+#include "engine/case/scene_settings.h"
+#include "engine/case/study_specs.h"
+
+namespace plumb {
+
+/// What a cable is modelled as.
+enum class CableModel {
+  /// Elements with positions and slopes: stretches and bends.
+  cable,
+  /// Half of each link's mass at either end, straight links between that stretch only, ε = ½(λ² − 1) or λ − 1
+  /// with λ the ratio of lengths. Slopes are no unknowns; those of outputs follow the neighbouring nodes.
+  chain,
+  /// A rigid rod on a joint at its first end, which does not turn about its own axis: a spherical pendulum.
+  /// It
+  /// neither stretches nor bends; its nodes lie on a straight line.
+  rigid,
+};
+
+/// How strain and curvature are measured.
+enum class StrainModel {
+  /// ε = ½(r'·r' − 1), κ = |r' × r''| / |r'|³ (Gerstmayr and Shabana 2006; Project Chrono).
+  green_geometric,
+  /// ε = |r'| − 1, κ = |r' × r''| / |r'|² (Gerstmayr and Irschik 2008; Exudyn).
+  engineering_material,
+};
+
+/// Which integration points the internal forces use.
+enum class QuadratureRule {
+  /// 5 Gauss points for the axial part (exact for Green strain), 3 for bending.
+  full,
+  /// 3 Lobatto points for the axial part, 2 Gauss points for bending: avoids axial locking of coarse, stiff
+  /// meshes.
+  reduced,
+};
+
+enum class Support {
+  free,
+  /// Position held.
+  pinned,
+  /// Position and direction held; the length of the slope (the axial stretch) stays free.
+  clamped,
+};
+
+/// Rates of the slopes at the start.
+enum class SlopeRates {
+  /// ω × r', as a rigid rotation has it.
+  rigid,
+  /// 0, as the published series was computed: the nodes turn, the slopes do not yet.
+  zero,
+};
+
+/// Elements that a cable may have.
+constexpr int most_elements_of_a_cable = 1'000'000;
+
+/// The cable as a continuum and its mesh. All lengths and areas are those of the undeformed cable.
+struct CableSpec {
+  double length = 0;          ///< L, m, > 0
+  double area = 0;            ///< A, m², > 0
+  double density = 0;         ///< ρ, kg/m³, > 0
+  double youngs_modulus = 0;  ///< E, Pa, > 0
+  double second_moment = 0;   ///< I, m⁴, ≥ 0; of a circular section, A²/4π, unless given
+  int elements = 0;           ///< 1 to 1,000,000, of equal length
+  CableModel model = CableModel::cable;
+  StrainModel strain = StrainModel::green_geometric;
+  QuadratureRule quadrature = QuadratureRule::full;
+
+  friend bool operator==(const CableSpec&, const CableSpec&) = default;
+};
+
+/// The cable starts straight and unstretched, with its first end at the origin.
+struct StartSpec {
+  Vec3 direction{1, 0, 0};         ///< of the straight cable; a unit vector once read
+  Vec3 angular_velocity{0, 0, 0};  ///< ω about the first end, rad/s
+  SlopeRates slope_rates = SlopeRates::rigid;
+  /// Of the last end along the cable, m/s, beside the rotation; along the rest as the first axial vibration
+  /// of a cable held at its first end has it, sin(πs/2).
+  double axial_speed = 0;
+
+  friend bool operator==(const StartSpec&, const StartSpec&) = default;
+};
+
+struct SupportsSpec {
+  Support first = Support::free;
+  Support last = Support::free;
+
+  friend bool operator==(const SupportsSpec&, const SupportsSpec&) = default;
+};
+
+struct LoadsSpec {
+  Vec3 gravity{0, 0, 0};    ///< m/s²
+  Vec3 end_force{0, 0, 0};  ///< on the last end, in a fixed direction, N
+
+  friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
+};
+
+/// The name of [method] that leaves model, mesh and method to what the scene needs. It is put in the place of
+/// a method before anything is integrated.
+inline constexpr std::string_view scene_method = "scene";
+
+/// A method by name with what it was given. Which of these a method takes is said by its MethodInfo.
+struct MethodSpec {
+  std::string name;
+  std::optional<double> step;                ///< h, s, > 0; fixed-step methods
+  std::optional<double> rtol;                ///< relative tolerance, in (0, 1); error-controlled methods
+  std::optional<double> atol;                ///< absolute tolerance (m, m/s, 1, 1/s alike), > 0
+  std::map<std::string, double> parameters;  ///< the method's own, all set: given ones and defaults
+
+  friend bool operator==(const MethodSpec&, const MethodSpec&) = default;
+};
+
+struct TimeSpec {
+  double end = 0;              ///< s, > 0
+  double output_interval = 0;  ///< s, in (0, end]; the end itself is always an output
+
+  friend bool operator==(const TimeSpec&, const TimeSpec&) = default;
+};
+
+enum class Quantity { position, velocity, slope, axial_strain, axial_force, curvature, bending_moment };
+
+struct ProbeSpec {
+  std::string name;  ///< unique; letters, digits, - and _, and not "t"
+  double at = 0;     ///< material coordinate as a fraction of the length, in [0, 1]
+  Quantity quantity = Quantity::position;
+
+  friend bool operator==(const ProbeSpec&, const ProbeSpec&) = default;
+};
+
+enum class Norm { max, rms };
+
+/// One series of a reference beside one column of the probes.
+struct Comparison {
+  std::string series;  ///< a column of the reference: "mid_y"
+  std::string column;  ///< a column of the probes: "mid.y"
+
+  friend bool operator==(const Comparison&, const Comparison&) = default;
+};
+
+/// A reference file and what it is held against.
+struct ReferenceUse {
+  std::string name;  ///< unique; default: the file's name without its ending
+  std::string file;  ///< relative to the case file
+  std::vector<Comparison> compare;
+  Norm norm = Norm::max;
+  double tolerance = 0;   ///< in the unit of the series, > 0
+  std::string reason;     ///< why this tolerance; may be empty
+  CoverageSpec coverage;  ///< over how much of the reference
+
+  friend bool operator==(const ReferenceUse&, const ReferenceUse&) = default;
+};
+
+/// The figure that every report has; no [[figure]] may take its name.
+inline constexpr std::string_view energy_figure_name = "energy";
+
+/// A plot of one column of the probes over another, or over time.
+struct FigureSpec {
+  std::string name;     ///< unique, the PNG's file name
+  std::string title;    ///< default: the name
+  std::string x = "t";  ///< "t" or a column
+  std::string y;        ///< a column
+  std::string x_label;  ///< default: the column's name
+  std::string y_label;
+  std::string reference;    ///< name of a [[reference]] that compares these columns, or empty
+  bool equal_axes = false;  ///< one scale for both axes, which have the same unit
+
+  friend bool operator==(const FigureSpec&, const FigureSpec&) = default;
+};
+
+/// How far a work-precision study goes. The form that `plumb run` makes is shorter than that of `plumb
+/// study`.
+struct StudyExtent {
+  std::vector<int> elements;         ///< meshes, rising, the case's own among them
+  std::vector<std::string> methods;  ///< names, in the order of method_infos()
+  int points = 0;                    ///< runs a curve, 3 to 20
+  int repeats = 0;                   ///< timed runs of each, 1 to 50
+  double time_limit = 0;             ///< of one run, s, > 0
+
+  friend bool operator==(const StudyExtent&, const StudyExtent&) = default;
+};
+
+/// [study.work_precision]: every method over steps or tolerances and meshes.
+struct WorkPrecisionSpec {
+  double end = 0;                 ///< s; at most that of the case
+  double largest_step = 0;        ///< s
+  double smallest_step = 0;       ///< s, less than the largest
+  double loosest_tolerance = 0;   ///< rtol and atol, in (0, 1)
+  double tightest_tolerance = 0;  ///< less than the loosest
+  StudyExtent full;
+  StudyExtent quick;
+
+  friend bool operator==(const WorkPrecisionSpec&, const WorkPrecisionSpec&) = default;
+};
+
+/// What a case file says, checked.
+struct Case {
+  std::string title;
+  std::map<std::string, double> parameters;
+  CableSpec cable;
+  StartSpec start;
+  SupportsSpec supports;
+  LoadsSpec loads;
+  MethodSpec method;
+  TimeSpec time;
+  std::vector<ProbeSpec> probes;
+  std::vector<ReferenceUse> references;
+  std::vector<FigureSpec> figures;
+  SceneSpec scene;
+  std::optional<WorkPrecisionSpec> work_precision;
+  std::optional<StabilitySpec> stability;
+  std::vector<VariantSpec> variants;
+  std::optional<SweepSpec> sweep;
+  std::optional<EconomySpec> economy;
+  std::vector<GivenRunSpec> given_runs;
+  std::optional<UncertaintySpec> uncertainty;
+  std::optional<BudgetSpec> error_budget;
+
+  friend bool operator==(const Case&, const Case&) = default;
+};
+
+/// The work-precision study of a case: what its table says, or the defaults where it has none.
+WorkPrecisionSpec work_precision_of(const Case& spec);
+
+/// The words that case files use: "green-geometric", "full", "pinned", "rigid", "position", "max".
+std::string_view word(CableModel);
+std::string_view word(StrainModel);
+std::string_view word(QuadratureRule);
+std::string_view word(Support);
+std::string_view word(SlopeRates);
+std::string_view word(Quantity);
+std::string_view word(Norm);
+
+/// Unit of a probed quantity: "m", "m/s", "1", "N", "1/m", "N m".
+std::string_view unit(Quantity);
+/// True for position, velocity and slope, which have the columns NAME.x, NAME.y and NAME.z.
+bool is_vector(Quantity);
+/// Names of a probe's columns, in order: "tip.x", "tip.y", "tip.z", or "tip" alone for a scalar.
+std::vector<std::string> column_names(const ProbeSpec&);
+
+}  // namespace plumb

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/case/case_words.h"
+
+namespace plumb {
+
+template <>
+inline constexpr std::array words_of<Distribution>{
+    Word<Distribution>{Distribution::normal, "normal"},
+    Word<Distribution>{Distribution::uniform, "uniform"},
+};
+
+}  // namespace plumb

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/case/case.h"
+
+namespace plumb {
+
+/// What a reference can prove: a published one validates, a computed one verifies.
+enum class ReferenceKind {
+  published,  ///< somebody else's figures, from a publication
+  computed,   ///< a closed form or a converged solution; must never be called published
+};
+
+struct ReferenceSeries {
+  std::string name;         ///< "mid_y"
+  std::string description;  ///< "vertical position of the middle"
+  std::string figure;       ///< where it stands in the source: "Fig. 3"
+  std::string unit;
+  double uncertainty = 0;         ///< half-width, in `unit`, > 0
+  std::string uncertainty_basis;  ///< "rounding of the printed digits"
+  std::vector<double> values;     ///< one a time
+};
+
+/// The cable that figures are of. What is not stated may be any.
+struct ReferenceCable {
+  std::optional<double> length;             ///< L, m
+  std::optional<double> axial_stiffness;    ///< EA, N
+  std::optional<double> bending_stiffness;  ///< EI, N m²
+  std::optional<double> mass_per_length;    ///< ρA, kg/m
+};
+
+/// A reference file, checked: series over common times, each with source, figure, unit, how obtained and
+/// uncertainty.
+struct Reference {
+  std::string title;
+  ReferenceKind kind = ReferenceKind::computed;
+  std::string source;    ///< the publication or program
+  std::string obtained;  ///< how the numbers came from the source
+  std::vector<std::string> notes;
+  ReferenceCable cable;
+  std::vector<double> times;  ///< s, strictly increasing, ≥ 0
+  std::vector<ReferenceSeries> series;
+
+  /// The series of that name, or nullptr.
+  const ReferenceSeries* find(std::string_view name) const;
+};
+
+/// Where a cable is not the one of the reference, to a millionth: "EA is 62.5 N, that of the reference 40 N".
+/// Nothing where they agree or nothing is stated. `whose` is what else the other cable is of.
+std::string difference(const ReferenceCable& reference, const CableSpec& cable,
+                       const std::string& whose = "of the reference");
+
+}  // namespace plumb

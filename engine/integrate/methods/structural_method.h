@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/integrate/methods/implicit_stage.h"
+#include "engine/integrate/methods/one_step_method.h"
+
+namespace plumb {
+
+/// A step of Newmark's kind (Newmark 1959; Chung and Hulbert 1993) with one implicit stage for an
+/// acceleration x:
+///   q₁ = q₀ + h v₀ + h² (position_old a₀ + position_new x),
+///   v₁ = v₀ + h (velocity_old a₀ + velocity_new x),
+///   M (mass_new x + mass_old a₀) = force_new f(point q₁ + (1 − point) q₀) + force_old f(q₀),
+/// where a₀ is the x of the step before, or the true acceleration at the start. All are pure numbers;
+/// position_new, mass_new, force_new and point are > 0.
+struct StructuralScheme {
+  double position_old, position_new;
+  double velocity_old, velocity_new;
+  double mass_old = 0, mass_new = 1;
+  double force_old = 0, force_new = 1;
+  double point = 1;
+  double time = 1;  ///< of x within the step, as a fraction of h
+  int order = 2;
+  /// The error of q in a step is error h² (x − a₀) for order 2, with the difference taken over h, and error
+  /// h² x for order 1.
+  double error = 0;
+};
+
+/// Newmark's scheme (1959) with the parameters β and γ, of order 2:
+///   q₁ = q₀ + h v₀ + h² ((½ − β) a₀ + β x),   v₁ = v₀ + h ((1 − γ) a₀ + γ x),   M x = f(q₁).
+constexpr StructuralScheme newmark(double beta, double gamma) {
+  StructuralScheme scheme{
+      .position_old = 0.5 - beta, .position_new = beta, .velocity_old = 1 - gamma, .velocity_new = gamma};
+  scheme.error = beta - 1.0 / 6;
+  return scheme;
+}
+
+/// The one-step method of a StructuralScheme.
+class StructuralMethod : public OneStepMethod {
+ public:
+  StructuralMethod(const StructuralScheme& scheme, const MethodSpec& spec, Dynamics& dynamics,
+                   const State& start);
+
+ private:
+  StepResult advance(double h, const State& from, State& to) override;
+  void estimate_error(double h, const State& from, const State& to, Eigen::VectorXd& e) override;
+  void accept() override;
+
+  StructuralScheme scheme_;
+  ImplicitStage stage_;
+  Eigen::VectorXd a_, next_a_;                   // x of the last step and of this one
+  Eigen::VectorXd old_force_, force_;            // f(q₀) and f(q₁), where the scheme needs them
+  bool coasting_ = true, next_coasting_ = true;  // which guess comes first
+  double h_ = 0, last_h_ = 0;                    // of this step and the last, s; 0: none
+};
+
+/// What the methods of this kind share in their description; `name`, `summary` and so on are left to them.
+MethodInfo structural_info();
+
+}  // namespace plumb

@@ -1,0 +1,51 @@
+#include <utility>
+
+#include "engine/integrate/methods/one_step_method.h"
+
+namespace plumb {
+namespace {
+
+/// The velocity form of Störmer's and Verlet's method (Verlet 1967; Swope et al. 1982; Hairer, Lubich and
+/// Wanner 2006, section I.1.4):
+///   v½ = vₙ + ½h aₙ,  qₙ₊₁ = qₙ + h v½,  vₙ₊₁ = v½ + ½h aₙ₊₁.
+/// One force evaluation a step, symplectic, stable up to ωh = 2.
+class VelocityVerlet : public OneStepMethod {
+ public:
+  VelocityVerlet(const MethodSpec& spec, Dynamics& dynamics, const State& start)
+      : OneStepMethod(spec, 2, dynamics, start) {
+    dynamics.acceleration(start.q, a_);
+    next_a_.resize(dynamics.size());
+    dynamics.take_collapsed();
+  }
+
+ private:
+  StepResult advance(double h, const State& from, State& to) override {
+    dynamics().acceleration(Sum(from.q).plus(h, from.v).plus(0.5 * h * h, a_).into(to.q), next_a_, {},
+                            {Sum(from.v).plus(0.5 * h, a_).plus(0.5 * h, next_a_).into(to.v)});
+    return {};
+  }
+
+  void accept() override { std::swap(a_, next_a_); }
+
+  Eigen::VectorXd a_, next_a_;
+};
+
+}  // namespace
+
+MethodEntry velocity_verlet_entry() {
+  MethodInfo info;
+  info.name = "velocity-verlet";
+  info.summary = "Störmer and Verlet's explicit method";
+  info.source = "Verlet 1967; Hairer, Lubich and Wanner 2006, section I.1.4";
+  info.order = "2";
+  info.conserves = "momentum, angular momentum; symplectic";
+  info.use = "the cheapest step of all, for long runs; stable up to ωh = 2 of the highest frequency";
+  info.family = MethodFamily::explicit_one_step;
+  info.takes_step = true;
+  return {info,
+          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
+            return std::make_unique<VelocityVerlet>(spec, dynamics, start);
+          }};
+}
+
+}  // namespace plumb

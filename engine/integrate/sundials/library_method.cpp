@@ -1,0 +1,88 @@
+#include "engine/integrate/sundials/library_method.h"
+
+#include <fmt/format.h>
+
+#include <new>
+
+namespace plumb::sundials {
+
+Context::Context() {
+  if (SUNContext_Create(nullptr, &context_) != 0) throw std::bad_alloc();
+}
+
+Context::~Context() {
+  SUNContext_Free(&context_);
+}
+
+Vector make_vector(Eigen::Index size, const Context& context) {
+  Vector y(N_VNew_Serial(size, context));
+  if (!y) throw std::bad_alloc();
+  part(y.get(), 0, size).setZero();
+  return y;
+}
+
+Eigen::Map<Eigen::VectorXd> part(N_Vector y, Eigen::Index first, Eigen::Index count) {
+  return {N_VGetArrayPointer(y) + first, count};
+}
+
+void keep_message(int code, const char*, const char*, char* message, void* data) {
+  // Warnings (codes above 0) do not end a run.
+  if (code < 0) *static_cast<std::string*>(data) = message;
+}
+
+LibraryMethod::LibraryMethod(Dynamics& dynamics, const State& start, Eigen::Index extra)
+    : dynamics_(dynamics),
+      y_(make_vector(2 * start.q.size() + extra, context_)),
+      between_(make_vector(2 * start.q.size() + extra, context_)),
+      state_(start),
+      q_(start.q),
+      a_(start.q) {
+  q_of(y(), start.q.size()) = start.q;
+  v_of(y(), start.q.size()) = start.v;
+}
+
+int LibraryMethod::right_hand_side(double, N_Vector y, N_Vector ydot, void* user_data) {
+  auto& self = *static_cast<LibraryMethod*>(user_data);
+  const Eigen::Index n = self.q_.size();
+  self.q_ = q_of(y, n);
+  self.dynamics_.acceleration(self.q_, self.a_);
+  if (const auto element = self.dynamics_.take_collapsed()) {
+    self.note_collapsed(*element);
+    return 1;
+  }
+  if (!self.a_.allFinite()) return 1;
+  q_of(ydot, n) = v_of(y, n);
+  v_of(ydot, n) = self.a_;
+  return 0;
+}
+
+StepResult LibraryMethod::step(double stop) {
+  collapsed_element_ = -1;
+  double reached = state_.t;
+  const int flag = evolve(stop, reached);
+  if (flag < 0 && collapsed_element_ >= 0)
+    return {Outcome::singular, "the slope collapsed", collapsed_element_};
+  if (flag < 0)
+    return {Outcome::no_convergence,
+            fmt::format("SUNDIALS gave up ({}){}{}", flag, message_.empty() ? "" : ": ", message_), -1};
+  const Eigen::Index n = state_.q.size();
+  state_.t = reached;
+  state_.q = q_of(y(), n);
+  state_.v = v_of(y(), n);
+  return {};
+}
+
+N_Vector LibraryMethod::y_at(double t) const {
+  if (t == state_.t) return y();
+  dense_output(t, between_.get());
+  return between_.get();
+}
+
+void LibraryMethod::interpolate(double t, State& at) const {
+  N_Vector there = y_at(t);
+  at.t = t;
+  at.q = q_of(there, state_.q.size());
+  at.v = v_of(there, state_.q.size());
+}
+
+}  // namespace plumb::sundials

@@ -1,0 +1,242 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/base/errors.h"
+#include "engine/case/case_source.h"
+#include "engine/integrate/method_info.h"
+#include "engine/read/case_sections.h"
+#include "engine/read/changed_case.h"
+#include "engine/read/method_keys.h"
+#include "engine/read/model_keys.h"
+#include "engine/read/override.h"
+#include "engine/read/parameters.h"
+#include "engine/read/table_reader.h"
+#include "engine/run/given_probes.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t longest_title = 500;
+
+/// How much of a case is read.
+enum class Extent {
+  everything,
+  without_studies,  ///< of a case that is itself a part of a study
+  motion,           ///< what the motion depends on, and neither what is compared nor what is drawn
+};
+
+/// In what the case that a given run is of moves otherwise; empty: in nothing, or it is not known.
+std::string difference_of_motion(const GivenRun& run, const Case& spec) {
+  if (!run.own_case) return "";
+  const Case& own = *run.own_case;
+  const CableSpec& cable = own.cable;
+  std::string text = difference({cable.length, cable.youngs_modulus * cable.area,
+                                 cable.youngs_modulus * cable.second_moment, cable.density * cable.area},
+                                spec.cable, "in the file");
+  for (const auto& [name, same] :
+       {std::pair{"start", own.start == spec.start}, std::pair{"supports", own.supports == spec.supports},
+        std::pair{"loads", own.loads == spec.loads}})
+    if (!same) text += fmt::format("{}its {} {}", text.empty() ? "" : "; ", name, "differ");
+  return text;
+}
+
+/// Notes in each given run what it lacks of the case, and which one it repeats.
+void note_shortcomings(const Case& spec, GivenRunsRead& given) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t k = 0; k < given.runs.size(); ++k) {
+    GivenRun& run = given.runs[k];
+    std::vector<std::string> notes;
+    if (run.times.back() < spec.time.end * (1 - rounding))
+      notes.push_back(fmt::format("the run in it ends at {:.6g} s, before the end of the case, {:.6g} s",
+                                  run.times.back(), spec.time.end));
+    if (run.times.front() > spec.time.end * rounding)
+      notes.push_back(fmt::format("the run in it begins at {:.6g} s, not at 0", run.times.front()));
+    if (const std::string what = difference_of_motion(run, spec); !what.empty())
+      notes.push_back("the run in it is of another case: " + what);
+    for (std::size_t other = 0; other < k; ++other)
+      if (given.runs[other].times.size() == run.times.size() &&
+          same_run(probe(given.runs[other]), probe(run)))
+        notes.push_back(fmt::format("the run in it has the same numbers as {}, which it does not confirm",
+                                    spec.given_runs[other].name));
+    for (std::string& note : notes) {
+      given.remarks.push_back(fmt::format("{}: {}", spec.given_runs[k].file, note));
+      run.notes.push_back(std::move(note));
+    }
+  }
+}
+
+LoadedCase read_case(const NamedText& file, const TomlValue& written,
+                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent);
+
+/// The case without what is read of everything only, so that to read it once more for each variant does not
+/// cost all other variants.
+TomlValue without_studies(const TomlValue& written) {
+  TomlValue result = written;
+  std::erase_if(result.items, [](const TomlValue& item) {
+    return item.key == "study" || item.key == "uncertainty" || item.key == "error_budget" ||
+           item.key == "run";
+  });
+  return result;
+}
+
+void read_studies(TableReader study, const NamedText& file, const TomlValue& written,
+                  const std::vector<std::string>& overrides, ReferenceFiles& files, Case& spec) {
+  const bool has_work_precision = study.has("work_precision");
+  const bool has_stability = study.has("stability");
+  const bool has_sweep = study.has("sweep");
+  const bool has_economy = study.has("economy");
+  const std::vector<TableReader> variants = study.tables("variant");
+  study.finish();
+  if (has_work_precision)
+    spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+  if (has_stability)
+    spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
+  if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
+  if (has_economy) spec.economy = read_economy(study.table("economy"), spec.scene);
+  if (variants.empty()) return;
+  const TomlValue bare = without_studies(written);
+  spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = overrides;
+    all.insert(all.end(), more.begin(), more.end());
+    return read_case(file, bare, all, files, Extent::without_studies).spec;
+  });
+}
+
+LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides, ReferenceText text_of,
+                     Extent extent) {
+  ReferenceFiles files(std::move(text_of));
+  return read_case(file, parse_toml(file), overrides, files, extent);
+}
+
+LoadedCase read_case(const NamedText& file, const TomlValue& written,
+                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent) {
+  TomlValue merged = written;
+  for (const std::string& text : overrides) apply_override(merged, text);
+
+  LoadedCase loaded;
+  loaded.remarks = drop_overruled_keys(written, merged);
+  for (std::string& remark : drop_keys_of_other_models(merged)) loaded.remarks.push_back(std::move(remark));
+  const Parameters parameters(merged.find("parameters"));
+  TableReader root(merged, "", &parameters);
+  root.has("parameters");
+
+  // All tables are asked for before any is read: an unknown one is likely the reason why another is missing.
+  Case& spec = loaded.spec;
+  spec.title = root.text("title", "a title");
+  if (spec.title.size() > longest_title)
+    root.refuse_value("title", fmt::format("must be at most {} bytes long", longest_title));
+  const TableReader cable = root.required_table("cable", "a table [cable]"), start = root.table("start");
+  const TableReader supports = root.table("supports"), loads = root.table("loads");
+  std::vector<TableReader> runs = root.tables("run");
+  const bool given_only = extent == Extent::everything && !runs.empty() && !root.has("method");
+  const TableReader method = given_only ? root.table("method")
+                                        : root.required_table(
+                                              "method", "a table [method], or a [[run]] that was computed"),
+                    time = given_only ? root.table("time") : root.required_table("time", "a table [time]");
+  const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
+  const std::vector<TableReader> figures = root.tables("figure");
+  const TableReader scene = root.table("scene");
+  const TableReader study = root.table("study"), uncertainty = root.table("uncertainty");
+  const TableReader error_budget = root.table("error_budget");
+  const bool has_uncertainty = root.has("uncertainty"), has_error_budget = root.has("error_budget");
+  root.finish();
+
+  spec.parameters = parameters.values();
+  spec.cable = read_cable(cable, !given_only);
+  spec.start = read_start(start);
+  spec.supports = read_supports(supports, spec.cable.model);
+  spec.loads = read_loads(loads);
+  if (extent != Extent::motion) spec.probes = read_probes(probes);
+  GivenRunsRead given;
+  if (extent == Extent::everything) given = read_given_runs(runs, file.name, files.text_of(), spec.probes);
+  spec.given_runs = std::move(given.specs);
+  if (given_only) {
+    const double last = given.runs.front().times.back();
+    if (!(last > 0)) runs.front().refuse_value("file", fmt::format("ends at {} s; must end after 0 s", last));
+    spec.time = read_time(time, last);
+  } else {
+    spec.time = read_time(time);
+    spec.method = read_method(method, spec.time);
+  }
+  if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
+  // The method of a given run is not known, nor yet the one that is left to the scene.
+  if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {
+    const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
+    if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
+    if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
+  }
+  if (extent == Extent::motion) return loaded;
+  ReferencesRead read = read_references(references, file.name, files, spec.probes, spec.time);
+  spec.references = std::move(read.uses);
+  spec.figures = read_figures(figures, spec.probes, spec.references);
+  spec.scene = read_scene(scene, spec.time);
+  if (extent == Extent::everything) {
+    check_given_runs(runs, spec, given.runs);
+    note_shortcomings(spec, given);
+    if (given_only)
+      for (const char* key : {"study", "uncertainty", "error_budget"})
+        if (root.has(key))
+          root.refuse_value(key, "belongs to runs of Plumb's own; a case without [method] has none");
+    read_studies(study, file, written, overrides, files, spec);
+    if (has_uncertainty) spec.uncertainty = read_uncertainty(uncertainty, spec);
+    if (has_error_budget)
+      spec.error_budget =
+          read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
+            return read_case(file, written, joined_overrides(overrides, more), files, Extent::motion).spec;
+          });
+  }
+
+  loaded.references = std::move(read.references);
+  loaded.given_runs = std::move(given.runs);
+  loaded.source = {file, overrides, std::move(read.texts), std::move(given.texts)};
+  loaded.remarks.insert(loaded.remarks.end(), read.remarks.begin(), read.remarks.end());
+  loaded.remarks.insert(loaded.remarks.end(), given.remarks.begin(), given.remarks.end());
+  for (const std::string& name : parameters.unused()) {
+    loaded.remarks.push_back(fmt::format("parameters.{} is not used", name));
+  }
+  return loaded;
+}
+
+/// Gives the texts of references and given runs that a source holds, which must outlive it.
+ReferenceText texts_of(const CaseSource& source) {
+  return [&](const std::string& name, InputKind) {
+    for (const auto* files : {&source.references, &source.given_runs})
+      for (const NamedText& file : *files)
+        if (file.name == name) return FileText{file.text, ""};
+    return FileText{"", "its text is not among those of the case"};
+  };
+}
+
+}  // namespace
+
+LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
+  const std::string text = read_whole_file(path, InputKind::case_file);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return read_case(
+      {path, text}, overrides,
+      [&](const std::string& name, InputKind kind) { return read_file_text((folder / name).string(), kind); },
+      Extent::everything);
+}
+
+LoadedCase load_case(const CaseSource& source) {
+  return read_case(source.file, source.overrides, texts_of(source), Extent::everything);
+}
+
+LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
+  std::vector<std::string> overrides = source.overrides;
+  overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
+  return read_case(source.file, overrides, texts_of(source), Extent::without_studies);
+}
+
+LoadedCase load_without_studies(const CaseSource& source) {
+  return read_case(source.file, source.overrides, texts_of(source), Extent::without_studies);
+}
+
+LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {
+  return read_case(source.file, joined_overrides(source.overrides, overrides), texts_of(source),
+                   Extent::without_studies);
+}
+
+}  // namespace plumb

@@ -1,0 +1,45 @@
+#include "engine/read/model_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/integrate/methods/rigid_rod.h"
+
+namespace plumb {
+
+std::vector<std::string> drop_keys_of_other_models(TomlValue& merged) {
+  TomlValue* cable = merged.find("cable");
+  if (cable == nullptr || cable->kind != TomlValue::Kind::table) return {};
+  const TomlValue* model = cable->find("model");
+  if (model == nullptr || !model->place.in_override()) return {};
+  std::vector<std::string> foreign;
+  if (model->string == word(CableModel::chain)) foreign = {"second_moment", "quadrature"};
+  if (model->string == word(CableModel::rigid)) foreign = {"second_moment", "quadrature", "strain"};
+  const std::string name = model->string;
+  std::vector<std::string> remarks;
+  std::erase_if(cable->items, [&](const TomlValue& item) {
+    if (item.place.in_override() || std::find(foreign.begin(), foreign.end(), item.key) == foreign.end())
+      return false;
+    remarks.push_back(
+        fmt::format("cable.{} = {} of the file is not used by the model {}", item.key, item.written, name));
+    return true;
+  });
+  return remarks;
+}
+
+void check_rigid(const Case& spec, const RigidTables& tables) {
+  if (spec.method.name != rigid_rod_method && spec.method.name != scene_method)
+    tables.method.refuse_value(
+        "name", fmt::format("must be \"{}\" for a rigid rod, which has no elements for other methods",
+                            rigid_rod_method));
+  if (spec.start.slope_rates != SlopeRates::rigid)
+    tables.start.refuse_value("slope_rates", "must be \"rigid\" for a rigid rod, whose slopes turn with it");
+  if (spec.start.axial_speed != 0)
+    tables.start.refuse_value("axial_speed", "must be 0 for a rigid rod, which does not stretch");
+  for (std::size_t k = 0; k < spec.probes.size(); ++k)
+    if (!is_vector(spec.probes[k].quantity))
+      tables.probes[k].refuse_value("quantity", "a rigid rod has only position, velocity and slope");
+}
+
+}  // namespace plumb

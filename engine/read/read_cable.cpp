@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/number_text.h"
+#include "engine/read/case_sections.h"
+
+namespace plumb {
+namespace {
+
+/// Numbers that are each in range can still have a product that is not.
+void check_product(const TableReader& table, double product, std::string_view key, std::string_view meaning) {
+  if (std::isfinite(product) && product > 0) return;
+  table.refuse_value(
+      key, fmt::format("{} comes to {}; must be greater than 0 and finite", meaning, number_text(product)));
+}
+
+}  // namespace
+
+CableSpec read_cable(TableReader table, bool has_mesh) {
+  CableSpec cable;
+  cable.length = table.number("length", Range::positive("m"));
+  cable.area = table.number("area", Range::positive("m²"));
+  cable.density = table.number("density", Range::positive("kg/m³"));
+  cable.youngs_modulus = table.number("youngs_modulus", Range::positive("Pa"));
+  const auto second_moment = table.optional_number("second_moment", Range::at_least(0, "m⁴"));
+  const Range elements = Range::whole_between(1, most_elements_of_a_cable);
+  cable.elements =
+      static_cast<int>(has_mesh ? table.number("elements", elements) : table.number("elements", elements, 0));
+  cable.model = table.choice<CableModel>("model", CableModel::cable);
+  cable.strain = table.choice<StrainModel>("strain", StrainModel::green_geometric);
+  cable.quadrature = table.choice<QuadratureRule>("quadrature", QuadratureRule::full);
+  table.finish();
+  if (cable.model == CableModel::chain) {
+    for (const char* key : {"second_moment", "quadrature"})
+      if (table.has(key)) table.refuse_value(key, "not a key of a chain, whose links only stretch");
+  }
+  if (cable.model == CableModel::rigid) {
+    for (const char* key : {"second_moment", "quadrature", "strain"})
+      if (table.has(key)) table.refuse_value(key, "not a key of a rigid rod, which does not deform");
+  }
+
+  const double circular = cable.area * cable.area / (4 * std::numbers::pi);
+  cable.second_moment = cable.model != CableModel::cable ? 0 : second_moment.value_or(circular);
+  check_product(table, cable.density * cable.area * cable.length, "density",
+                "the mass, density × area × length,");
+  check_product(table, cable.youngs_modulus * cable.area, "youngs_modulus",
+                "the stiffness, youngs_modulus × area,");
+  if (!std::isfinite(cable.youngs_modulus * cable.second_moment)) {
+    table.refuse_value(second_moment ? "second_moment" : "area", "the bending stiffness is not finite");
+  }
+  return cable;
+}
+
+double read_accuracy(TableReader& table, const CableSpec& cable, double fallback) {
+  const double tolerance = table.number("tolerance", Range::positive("m"), fallback);
+  if (tolerance > cable.length)
+    table.refuse_value("tolerance",
+                       fmt::format("must be at most the length of the cable, {:g} m", cable.length));
+  return tolerance;
+}
+
+}  // namespace plumb

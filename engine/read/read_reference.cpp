@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/nearest.h"
+#include "engine/case/case_source.h"
+#include "engine/case/case_words.h"
+#include "engine/case/name_rule.h"
+#include "engine/read/table_reader.h"
+
+namespace plumb {
+namespace {
+
+ReferenceSeries read_series(TableReader table, const std::vector<ReferenceSeries>& others) {
+  ReferenceSeries series;
+  series.name = table.text("name", "a name");
+  series.figure = table.text("figure", "where the series stands in the source, \"Fig. 3\"");
+  series.unit = table.text("unit", "the unit of the values, \"m\"");
+  series.description = table.optional_text("description", series.name);
+  series.uncertainty = table.number("uncertainty", Range::positive("half-width, in the unit of the series"));
+  series.uncertainty_basis = table.prose("uncertainty_basis", "what the uncertainty rests on");
+  table.finish();
+
+  if (!follows_name_rule(series.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
+  if (series.name == "t") table.refuse_value("name", "is the name of the time");
+  const auto same = [&](const ReferenceSeries& other) { return other.name == series.name; };
+  if (std::any_of(others.begin(), others.end(), same))
+    table.refuse_value("name", "is the name of another series");
+  return series;
+}
+
+/// The series of each column after the first, which is the time.
+std::vector<ReferenceSeries*> read_columns(const TableReader& file, const std::vector<TomlValue>& columns,
+                                           std::vector<ReferenceSeries>& series) {
+  std::vector<std::string> names;
+  for (const ReferenceSeries& item : series) names.push_back(item.name);
+  std::vector<ReferenceSeries*> order;
+  std::vector<std::string> seen;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string key = fmt::format("columns.{}", i);
+    const std::string name = file.text_in(columns[i], key);
+    const auto fail = [&](const std::string& what) {
+      refuse(columns[i].place, key, columns[i].written, what);
+    };
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) fail("is the name of another column");
+    seen.push_back(name);
+    if (i == 0 && name != "t") fail("the first column must be \"t\", the time");
+    if (i == 0) continue;
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) fail("has no [[series]] of that name" + suggestion(name, names));
+    order.push_back(&series[static_cast<std::size_t>(found - names.begin())]);
+  }
+  for (const std::string& name : names) {
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) continue;
+    file.refuse_value("columns", fmt::format("lacks the series \"{}\"", name));
+  }
+  return order;
+}
+
+void read_rows(const TableReader& file, const std::vector<TomlValue>& rows,
+               const std::vector<ReferenceSeries*>& order, std::vector<double>& times) {
+  if (rows.empty()) file.refuse_value("rows", "must hold at least one row");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const TomlValue& row = rows[i];
+    const std::string key = fmt::format("rows.{}", i);
+    const std::size_t length = order.size() + 1;
+    if (row.kind != TomlValue::Kind::array || row.items.size() != length) {
+      refuse(row.place, key, row.written, fmt::format("must be a list of {} numbers, one a column", length));
+    }
+    const double time = file.number_in(row.items[0], key + ".0", Range::at_least(0, "s"));
+    if (!times.empty() && time <= times.back()) {
+      refuse(row.items[0].place, key + ".0", row.items[0].written,
+             fmt::format("must be greater than the time before it, {} (s)", times.back()));
+    }
+    times.push_back(time);
+    for (std::size_t j = 1; j < length; ++j) {
+      const Range range = Range::any(order[j - 1]->unit);
+      order[j - 1]->values.push_back(file.number_in(row.items[j], fmt::format("{}.{}", key, j), range));
+    }
+  }
+}
+
+ReferenceCable read_cable_of(TableReader table) {
+  ReferenceCable cable;
+  cable.length = table.optional_number("length", Range::positive("m"));
+  cable.axial_stiffness = table.optional_number("axial_stiffness", Range::positive("N"));
+  cable.bending_stiffness = table.optional_number("bending_stiffness", Range::positive("N m²"));
+  cable.mass_per_length = table.optional_number("mass_per_length", Range::positive("kg/m"));
+  table.finish();
+  return cable;
+}
+
+}  // namespace
+
+template <>
+inline constexpr std::array words_of<ReferenceKind>{
+    Word<ReferenceKind>{ReferenceKind::published, "published"},
+    Word<ReferenceKind>{ReferenceKind::computed, "computed"},
+};
+
+Reference read_reference(const NamedText& text) {
+  const TomlValue root = parse_toml(text);
+  TableReader file(root, "", nullptr);
+  Reference reference;
+  reference.title = file.text("title", "a title");
+  reference.kind = file.choice<ReferenceKind>("kind");
+  reference.source = file.prose("source", "the publication or program that the numbers are from");
+  reference.obtained = file.prose("obtained", "how the numbers came from the source");
+  reference.notes = file.proses("notes");
+  file.choice("time_unit", {"s"}, false);
+  reference.cable = read_cable_of(file.table("cable"));
+  const std::vector<TableReader> series = file.tables("series");
+  if (!file.has("series")) file.list("series", "a list of tables [[series]], one a column");
+  const std::vector<TomlValue>& columns = file.list("columns", "the list of the columns' names, \"t\" first");
+  const std::vector<TomlValue>& rows = file.list("rows", "the list of rows, each a list of numbers");
+  file.finish();
+
+  for (const TableReader& table : series) reference.series.push_back(read_series(table, reference.series));
+  if (reference.series.empty()) file.refuse_value("series", "must hold at least one series");
+  read_rows(file, rows, read_columns(file, columns, reference.series), reference.times);
+  return reference;
+}
+
+}  // namespace plumb

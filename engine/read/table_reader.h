@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/case/case.h"
+#include "engine/case/case_words.h"
+#include "engine/case/range.h"
+#include "engine/read/parameters.h"
+#include "engine/read/toml_value.h"
+
+namespace plumb {
+
+/// Reads typed values from one table. A value of the wrong type or out of range is refused at once, with
+/// InputError. A missing one is refused by `finish`, after unknown keys: a mistyped key is both, and its name
+/// says more. Until then something empty stands in for it, so that nothing may be made of the values before
+/// `finish` has returned.
+class TableReader {
+ public:
+  /// `key` is the table's own in errors: "cable", "probe.0", empty for a whole file. Without `parameters`
+  /// (nullptr) numbers cannot be given as expressions. Both arguments must outlive the reader.
+  TableReader(const TomlValue& table, std::string key, const Parameters* parameters);
+
+  /// A required number.
+  double number(std::string_view key, const Range& range);
+  /// A number that may be missing.
+  double number(std::string_view key, const Range& range, double fallback);
+  std::optional<double> optional_number(std::string_view key, const Range& range);
+  /// A whole number that may be missing.
+  int whole(std::string_view key, int low, int high, int fallback);
+
+  /// A required list of three numbers, and one that may be missing.
+  Vec3 vector(std::string_view key, std::string_view unit);
+  Vec3 vector(std::string_view key, std::string_view unit, const Vec3& fallback);
+  /// A list of `count` numbers, or nothing where it is missing.
+  std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count, const Range& range);
+  /// A list of any number of numbers, one or more, or nothing where it is missing.
+  std::optional<std::vector<double>> numbers(std::string_view key, const Range& range);
+  /// A list of any number of whole numbers, one or more, or nothing where it is missing.
+  std::optional<std::vector<int>> wholes(std::string_view key, int low, int high);
+  /// A list of one or more of the allowed words, as places among them, or nothing where it is missing.
+  std::optional<std::vector<std::size_t>> choices(std::string_view key,
+                                                  const std::vector<std::string>& allowed);
+
+  /// A string of one line; required, and not empty.
+  std::string text(std::string_view key, std::string_view meaning);
+  /// A string of one line that may be missing or empty.
+  std::string optional_text(std::string_view key, std::string fallback);
+  /// A required string that may run over several lines, which are joined.
+  std::string prose(std::string_view key, std::string_view meaning);
+  std::string optional_prose(std::string_view key);
+  /// A list of such strings, or nothing where it is missing.
+  std::vector<std::string> proses(std::string_view key);
+
+  bool flag(std::string_view key, bool fallback);
+
+  /// One of an enumeration's words; required without `fallback`.
+  template <class E>
+  E choice(std::string_view key, std::optional<E> fallback = {}) {
+    std::vector<std::string> allowed;
+    for (const auto& entry : words_of<E>) allowed.emplace_back(entry.word);
+    const std::optional<std::size_t> index = choice(key, allowed, fallback.has_value());
+    return index ? words_of<E>[*index].value : fallback.value_or(E{});
+  }
+  /// The place of a value among the allowed words; nothing where it is missing.
+  std::optional<std::size_t> choice(std::string_view key, const std::vector<std::string>& allowed,
+                                    bool optional);
+
+  /// A table within this one; an empty one stands in for a missing one.
+  TableReader table(std::string_view key);
+  TableReader required_table(std::string_view key, std::string_view meaning);
+  bool has(std::string_view key);
+  /// True for a string, where a key may be a word or something else.
+  bool is_text(std::string_view key);
+  /// A list of tables; none where it is missing.
+  std::vector<TableReader> tables(std::string_view key);
+  /// A required list.
+  const std::vector<TomlValue>& list(std::string_view key, std::string_view meaning);
+
+  /// The number in a value that stands within this table; `full_key` is the value's own in errors.
+  double number_in(const TomlValue& value, const std::string& full_key, const Range& range) const;
+  /// The one-line string in a value that stands within this table.
+  std::string text_in(const TomlValue& value, const std::string& full_key) const;
+
+  /// Refuses keys that have not been asked for, with the nearest one that has, and then missing ones.
+  void finish();
+
+  /// Refuses the value of a key, or the whole table where the value was left to its default.
+  [[noreturn]] void refuse_value(std::string_view key, std::string_view what) const;
+
+  /// The key of a value of this table as errors show it: "cable.length".
+  std::string full_key(std::string_view key) const;
+  const TomlValue& value() const { return *table_; }
+
+ private:
+  const TomlValue* find(std::string_view key);
+  void miss(std::string_view key, std::string_view meaning);
+  /// The values of a list that is not empty, or nullptr where it is missing.
+  const std::vector<TomlValue>* find_list(std::string_view key, std::string_view expected);
+
+  const TomlValue* table_;
+  Place place_;  ///< of the table, or of the one around it where it is missing
+  std::string key_;
+  const Parameters* parameters_;
+  std::vector<std::string> known_;
+  std::string missing_key_;
+  std::string missing_what_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/case/given_run.h"
+#include "engine/run/run.h"
+
+namespace plumb {
+
+/// What a given run has of the probes' columns, at its own times.
+ProbeTable probe(const GivenRun& given);
+
+/// The same at other times (s) within its first and last, interpolated (TimeInterpolation). Throws
+/// std::out_of_range for a time outside.
+ProbeTable probe(const GivenRun& given, const std::vector<double>& times);
+
+/// What a given run would have at some of its times, none of them the first or the last, if it had only every
+/// second one: interpolated between those before and after.
+ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& outputs);
+
+/// True for two tables that hold one run: the same times, and in all columns of both the same values, at
+/// least one of which varies; all but for the rounding of a unit.
+bool same_run(const ProbeTable& a, const ProbeTable& b);
+
+/// The first given run of a case without [method] as the run that is reported: ended as its file says, or
+/// completed where that says nothing, with neither states nor energies nor counters.
+Run reported_run(LoadedCase loaded, Provenance provenance);
+
+}  // namespace plumb

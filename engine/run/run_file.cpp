@@ -1,0 +1,212 @@
+#include "engine/run/run_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+#include "engine/base/checked_file.h"
+#include "engine/base/errors.h"
+#include "engine/base/hdf5.h"
+#include "engine/base/message.h"
+#include "engine/model/support_constraints.h"
+#include "engine/run/given_probes.h"
+#include "engine/run/stored_parts.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view format_name = "plumb-run";
+
+/// A nodal vector field over the outputs, (outputs, nodes, 3): the positions (offset 0) or slopes (offset 3)
+/// in q, or their rates in v.
+struct Field {
+  std::string path;
+  std::string unit;
+  std::vector<Eigen::VectorXd> Trajectory::*coordinates;
+  int offset;
+};
+
+const Field fields[] = {{"states/position", "m", &Trajectory::q, 0},
+                        {"states/slope", "1", &Trajectory::q, 3},
+                        {"states/velocity", "m/s", &Trajectory::v, 0},
+                        {"states/slope_rate", "1/s", &Trajectory::v, 3}};
+
+constexpr const char* multipliers_path = "constraints/multipliers";
+constexpr const char* shortest_cut_path = "shortest_cut";
+constexpr const char* drift_path = "constraints/drift";
+
+const std::pair<const char*, double Energies::*> energy_parts[] = {
+    {"energy/kinetic", &Energies::kinetic},
+    {"energy/axial", &Energies::axial},
+    {"energy/bending", &Energies::bending},
+    {"energy/potential", &Energies::potential}};
+
+void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
+  const hsize_t outputs = trajectory.times.size();
+  const auto nodes = static_cast<hsize_t>(trajectory.elements + 1);
+  file.text("outcome", word(trajectory.outcome));
+  file.text("message", trajectory.message);
+  file.integer("elements", trajectory.elements);
+  file.integer("interpolated_outputs", trajectory.interpolated_outputs);
+  file.number("element_length", trajectory.element_length, "m");
+  file.number("end_time", trajectory.end_time, "s");
+  file.number("solve_seconds", trajectory.solve_seconds, "s");
+  file.number(shortest_cut_path, trajectory.shortest_cut, "s");
+  file.numbers("time", {outputs}, trajectory.times.data(), "s");
+  std::vector<double> values;
+  for (const Field& field : fields) {
+    values.clear();
+    for (const Eigen::VectorXd& state : trajectory.*field.coordinates)
+      for (Eigen::Index node = 0; node < state.size() / 6; ++node)
+        for (int k = 0; k < 3; ++k) values.push_back(state[6 * node + field.offset + k]);
+    file.numbers(field.path, {outputs, nodes, 3}, values.data(), field.unit);
+  }
+  for (const auto& [path, part] : energy_parts) {
+    values.clear();
+    for (const Energies& e : trajectory.energies) values.push_back(e.*part);
+    file.numbers(path, {outputs}, values.data(), "J");
+  }
+  for (const auto& [name, part] : stored_counters())
+    file.integer(fmt::format("counters/{}", name), trajectory.counters.*part);
+  if (trajectory.multipliers.empty()) return;
+  values.clear();
+  for (const Eigen::VectorXd& lambda : trajectory.multipliers)
+    values.insert(values.end(), lambda.begin(), lambda.end());
+  const auto rows = static_cast<hsize_t>(trajectory.multipliers.front().size());
+  file.numbers(multipliers_path, {outputs, rows}, values.data(), "N and N m");
+  file.number(drift_path, trajectory.constraint_drift, "m");
+}
+
+/// What only methods that carry the supports as constraints have.
+void read_constraints(const hdf5::Reader& file, Trajectory& result) {
+  if (!file.has(multipliers_path)) return;
+  const hdf5::Numbers numbers = file.numbers(multipliers_path);
+  const hsize_t outputs = result.times.size();
+  if (numbers.shape.size() != 2 || numbers.shape[0] != outputs || numbers.shape[1] == 0)
+    throw std::runtime_error("its multipliers are not one set an output");
+  const auto rows = static_cast<Eigen::Index>(numbers.shape[1]);
+  for (std::size_t k = 0; k < outputs; ++k)
+    result.multipliers.push_back(
+        Eigen::Map<const Eigen::VectorXd>(numbers.values.data() + static_cast<Eigen::Index>(k) * rows, rows));
+  result.constraint_drift = file.number(drift_path);
+}
+
+/// Throws std::runtime_error where numbers read cannot be those of a run.
+void check(const Trajectory& trajectory) {
+  const auto finite = [](const Eigen::VectorXd& x) { return x.allFinite(); };
+  if (trajectory.outcome == Outcome::not_run) throw std::runtime_error("it holds no run");
+  if (!(trajectory.element_length > 0) ||
+      !std::isfinite(trajectory.element_length + trajectory.end_time + trajectory.shortest_cut))
+    throw std::runtime_error("its lengths and times are not those of a run");
+  if (trajectory.times.empty() || trajectory.times.front() != 0)
+    throw std::runtime_error("its times do not begin at 0");
+  for (std::size_t k = 1; k < trajectory.times.size(); ++k)
+    if (!(trajectory.times[k] > trajectory.times[k - 1]))
+      throw std::runtime_error("its times do not increase");
+  if (!std::isfinite(trajectory.times.back())) throw std::runtime_error("its times are not finite");
+  if (!std::all_of(trajectory.q.begin(), trajectory.q.end(), finite) ||
+      !std::all_of(trajectory.v.begin(), trajectory.v.end(), finite))
+    throw std::runtime_error("its states are not finite");
+  if (!std::all_of(trajectory.multipliers.begin(), trajectory.multipliers.end(), finite) ||
+      !std::isfinite(trajectory.constraint_drift))
+    throw std::runtime_error("its multipliers are not finite");
+  for (const Energies& e : trajectory.energies)
+    if (!std::isfinite(e.total())) throw std::runtime_error("its energies are not finite");
+}
+
+Trajectory read_trajectory(const hdf5::Reader& file) {
+  Trajectory result;
+  result.outcome = stored_outcome(file.text("outcome"));
+  result.message = one_line(file.text("message"));
+  const long elements = file.integer("elements");
+  if (elements < 1 || elements > most_elements_of_a_cable)
+    throw std::runtime_error(fmt::format("it has {} elements", elements));
+  result.elements = static_cast<int>(elements);
+  result.interpolated_outputs = static_cast<int>(file.integer("interpolated_outputs"));
+  result.element_length = file.number("element_length");
+  result.end_time = file.number("end_time");
+  result.solve_seconds = file.number("solve_seconds");
+  // Runs of older versions do not have it.
+  if (file.has(shortest_cut_path)) result.shortest_cut = file.number(shortest_cut_path);
+  result.times = file.numbers("time").values;
+  const hsize_t outputs = result.times.size(), nodes = static_cast<hsize_t>(elements) + 1;
+  for (const Field& field : fields) {
+    const std::vector<double> values = file.numbers(field.path, {outputs, nodes, 3});
+    auto& states = result.*field.coordinates;
+    states.resize(outputs, Eigen::VectorXd(6 * (elements + 1)));
+    auto value = values.begin();
+    for (Eigen::VectorXd& state : states)
+      for (Eigen::Index node = 0; node <= elements; ++node)
+        for (int k = 0; k < 3; ++k) state[6 * node + field.offset + k] = *value++;
+  }
+  result.energies.resize(outputs);
+  for (const auto& [path, part] : energy_parts) {
+    const std::vector<double> values = file.numbers(path, {outputs});
+    for (std::size_t k = 0; k < outputs; ++k) result.energies[k].*part = values[k];
+  }
+  for (const auto& [name, part] : stored_counters())
+    result.counters.*part = file.integer(fmt::format("counters/{}", name));
+  read_constraints(file, result);
+  check(result);
+  return result;
+}
+
+}  // namespace
+
+std::string encode_run(const Run& run) {
+  hdf5::Writer file;
+  write_format(format_name, run_file_version, file);
+  write_source(run.loaded.source, file);
+  if (reports_given_run(run.loaded.spec)) {
+    file.numbers("time", {run.trajectory.times.size()}, run.trajectory.times.data(), "s");
+    if (const GivenEnding& ending = run.loaded.given_runs.front().ending; !ending.outcome.empty()) {
+      file.text("given/outcome", ending.outcome);
+      file.text("given/message", ending.message);
+    }
+  } else {
+    write_trajectory(run.trajectory, file);
+  }
+  for (const Column& column : run.probes.columns)
+    file.numbers("probes/" + column.name, {column.values.size()}, column.values.data(), column.unit);
+  write_provenance(run.provenance, file);
+  return with_check_sum(file.bytes());
+}
+
+Run read_run(const std::string& path) {
+  try {
+    const std::string bytes = read_checked(path, "run file");
+    const hdf5::Reader file(bytes);
+    read_format(file, format_name, run_file_version, "run file");
+    Run run;
+    const bool has_states = file.has("outcome");
+    if (has_states) run.trajectory = read_trajectory(file);
+    run.provenance = read_provenance(file);
+    run.loaded = load_case(read_source(file));
+    if (has_states == reports_given_run(run.loaded.spec))
+      throw std::runtime_error(has_states ? "it has states, and a case without [method]"
+                                          : "it has neither states nor a given run that is reported");
+    if (!has_states) return reported_run(std::move(run.loaded), std::move(run.provenance));
+    const Case& spec = run.loaded.spec;
+    if (spec.cable.elements != run.trajectory.elements)
+      throw std::runtime_error("its states and its case have different numbers of elements");
+    const SupportConstraints constraints(spec.supports, spec.start.direction, spec.cable.elements + 1);
+    if (!run.trajectory.multipliers.empty() &&
+        run.trajectory.multipliers.front().size() != constraints.count())
+      throw std::runtime_error("its multipliers are not those of its supports");
+    run.probes = probe(run.loaded.spec, run.trajectory);
+    return run;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const InputError& error) {
+    throw InputError(one_line(path + ": the case in it is invalid: " + error.what()));
+  } catch (const std::bad_alloc&) {
+    throw InputError(one_line(path) + ": cannot be used: it is too large for the memory at hand");
+  } catch (const std::runtime_error& error) {
+    throw InputError(one_line(path + ": cannot be used: " + reason(error)));
+  }
+}
+
+}  // namespace plumb

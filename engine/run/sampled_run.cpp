@@ -1,0 +1,89 @@
+#include "engine/run/sampled_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace plumb {
+namespace {
+
+struct Source {
+  const std::vector<double>& outputs;
+  std::function<ProbeTable(const std::vector<double>&)> at;
+  std::function<ProbeTable(const std::vector<std::size_t>&)> without;
+};
+
+/// The outputs that are left out for any of the times, rising.
+std::vector<std::size_t> all_tried(const std::vector<double>& outputs, const std::vector<KnownTime>& times) {
+  std::vector<std::size_t> all;
+  for (const KnownTime& time : times)
+    for (const std::size_t k : tried_outputs(outputs, time)) all.push_back(k);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+SampledRun sample(const Source& source, const std::vector<double>& times) {
+  constexpr double rounding = 1e-9;
+  SampledRun sampled;
+  std::vector<double> known;
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    const std::optional<KnownTime> time = known_time(source.outputs, times[row]);
+    if (!time) continue;
+    sampled.rows.push_back(row);
+    sampled.times.push_back(*time);
+    known.push_back(time->time);
+  }
+  sampled.values = source.at(known);
+
+  const std::vector<std::size_t> tried = all_tried(source.outputs, sampled.times);
+  std::vector<double> tried_times;
+  for (const std::size_t k : tried) tried_times.push_back(source.outputs[k]);
+  const ProbeTable own = source.at(tried_times), without = source.without(tried);
+  sampled.errors.times = known;
+  for (std::size_t c = 0; c < own.columns.size(); ++c) {
+    Column errors{own.columns[c].name, own.columns[c].unit, {}};
+    for (const KnownTime& time : sampled.times) {
+      const bool far = !(time.distance <= tried_distance(source.outputs, time) * (1 + rounding));
+      double greatest = !time.output && far ? std::numeric_limits<double>::quiet_NaN() : 0;
+      for (const std::size_t k : tried_outputs(source.outputs, time)) {
+        const auto place =
+            static_cast<std::size_t>(std::lower_bound(tried.begin(), tried.end(), k) - tried.begin());
+        const double error = std::abs(without.columns[c].values[place] - own.columns[c].values[place]);
+        if (!(error <= greatest)) greatest = std::isnan(greatest) ? greatest : error;
+      }
+      errors.values.push_back(greatest);
+    }
+    sampled.errors.columns.push_back(std::move(errors));
+  }
+  return sampled;
+}
+
+}  // namespace
+
+SampledRun sample(const Case& spec, const Trajectory& trajectory, const std::vector<double>& times) {
+  SampledRun sampled = sample(
+      {trajectory.times, [&](const std::vector<double>& at) { return probe(spec, trajectory, at); },
+       [&](const std::vector<std::size_t>& outputs) { return probe_without(spec, trajectory, outputs); }},
+      times);
+  // They have no rates, and so a polynomial through them would have a shape of its own.
+  sampled.between_is_unknown = spec.method.name == "statics";
+  if (sampled.between_is_unknown)
+    for (Column& column : sampled.errors.columns)
+      for (std::size_t k = 0; k < column.values.size(); ++k)
+        if (!sampled.times[k].output) column.values[k] = std::numeric_limits<double>::quiet_NaN();
+  return sampled;
+}
+
+SampledRun sample(const GivenRun& given, const std::vector<double>& times) {
+  return sample({given.times, [&](const std::vector<double>& at) { return probe(given, at); },
+                 [&](const std::vector<std::size_t>& outputs) { return probe_without(given, outputs); }},
+                times);
+}
+
+bool bearable(double interpolation_error, double tolerance) {
+  return std::isfinite(interpolation_error) && interpolation_error <= bearable_share * tolerance;
+}
+
+}  // namespace plumb

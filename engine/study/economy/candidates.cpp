@@ -1,0 +1,218 @@
+#include "engine/study/economy/candidates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/integrate/method_info.h"
+#include "engine/integrate/methods/rigid_rod.h"
+#include "engine/model/straight_frequency.h"
+
+namespace plumb {
+namespace {
+
+/// Time of a step, ns, as measured on one machine: what is the same each step, and what each element adds.
+/// Only their ratios matter.
+struct StepWork {
+  double fixed;
+  double element;
+
+  double of(int elements) const { return fixed + element * elements; }
+};
+constexpr StepWork verlet_cable{150, 25}, verlet_chain{80, 36}, rigid_step{75, 10}, implicit_step{1000, 560};
+/// Of the safe default rather too little than too much: it bounds what a search may take.
+constexpr StepWork safe_step{400, 600};
+constexpr double safe_phase = 2.5;  // ωh of its steps, of the fastest vibration
+
+/// Of the leapfrog's limit of stability. A cable that is stretched vibrates faster than the straight one.
+constexpr double share_of_limit = 0.65;
+
+/// A number that its text of six digits gives exactly.
+double in_short(double value) {
+  return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
+
+MethodSpec with_step(const char* name, double step) {
+  MethodSpec method = plain_method(*find_method(name));
+  method.step = step;
+  return method;
+}
+
+double steps(const Case& spec, const Rung& rung) {
+  return std::ceil(spec.time.end / *rung.method.step);
+}
+
+Rung leapfrog(const Case& spec, CableSpec cable, double share_of_step) {
+  const bool chain = cable.model == CableModel::chain;
+  const double link = cable.length / cable.elements;
+  const double frequency =
+      chain ? 2 * std::sqrt(cable.youngs_modulus / cable.density) / link : straight_frequency(cable);
+  const double longest = scene_output_interval(spec) / 2;
+  Rung rung{cable, with_step("velocity-verlet",
+                             in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
+  rung.work = steps(spec, rung) * (chain ? verlet_chain : verlet_cable).of(cable.elements);
+  return rung;
+}
+
+CableSpec meshed(const Case& spec, int elements) {
+  CableSpec cable = spec.cable;
+  cable.model = CableModel::cable;
+  cable.elements = elements;
+  return cable;
+}
+
+bool has_rigid_rod(const Case& spec) {
+  const ColorField field = spec.scene.color_by;
+  return spec.supports.first == Support::pinned && spec.supports.last == Support::free &&
+         spec.start.slope_rates == SlopeRates::rigid && spec.start.axial_speed == 0 &&
+         (field == ColorField::none || field == ColorField::speed) &&
+         std::all_of(spec.probes.begin(), spec.probes.end(),
+                     [](const ProbeSpec& probe) { return is_vector(probe.quantity); });
+}
+
+/// A chain has no bending to show.
+bool has_chain(const Case& spec) {
+  return spec.supports.first != Support::clamped && spec.supports.last != Support::clamped &&
+         spec.start.slope_rates == SlopeRates::rigid && spec.scene.color_by != ColorField::curvature &&
+         spec.scene.color_by != ColorField::bending_moment;
+}
+
+Rung rigid_rung(const Case& spec) {
+  constexpr double phase = 0.05;  // turned a step: rk4 is off by some 1e-8 of that
+  CableSpec cable = meshed(spec, 1);
+  cable.model = CableModel::rigid;
+  cable.second_moment = 0;
+  cable.quadrature = QuadratureRule::full;
+  cable.strain = StrainModel::green_geometric;
+  const double mass = cable.density * cable.area * cable.length;
+  const double pull = 1.5 * spec.loads.gravity.norm() / cable.length +
+                      3 * spec.loads.end_force.norm() / (mass * cable.length);
+  const double fastest = std::sqrt(spec.start.angular_velocity.squaredNorm() + 4 * pull);
+  const double longest = scene_output_interval(spec);
+  Rung rung{cable, with_step(std::string(rigid_rod_method).c_str(),
+                             in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
+  rung.work = steps(spec, rung) * rigid_step.of(1);
+  return rung;
+}
+
+void add_implicit(const Case& spec, int elements, double below, std::vector<Rung>& rungs) {
+  constexpr int most_halvings = 7;
+  double step = scene_output_interval(spec);
+  for (int k = 0; k <= most_halvings; ++k, step /= 2) {
+    Rung rung{meshed(spec, elements), with_step("generalized-alpha", step)};
+    rung.work = steps(spec, rung) * implicit_step.of(elements);
+    if (rung.work >= below) return;
+    rungs.push_back(std::move(rung));
+  }
+}
+
+}  // namespace
+
+double scene_output_interval(const Case& spec) {
+  const double frames = 1 / spec.scene.frame_rate;
+  if (spec.references.empty() && spec.figures.empty()) return std::min(frames, spec.time.end);
+  // As many to a frame as the case has outputs.
+  return std::min(frames / std::ceil(frames / spec.time.output_interval - 1e-9), spec.time.end);
+}
+
+Case with_rung(const Case& spec, const Rung& rung) {
+  Case result = spec;
+  result.cable = rung.cable;
+  result.method = rung.method;
+  result.time.output_interval = scene_output_interval(spec);
+  return result;
+}
+
+std::vector<std::string> rung_overrides(const Case& spec, const Rung& rung) {
+  std::vector<std::string> result{
+      fmt::format("cable.model={}", word(rung.cable.model)),
+      fmt::format("cable.elements={}", rung.cable.elements),
+      fmt::format("time.output_interval={}", scene_output_interval(spec)),
+  };
+  if (rung.cable.model == CableModel::cable) {
+    result.push_back(fmt::format("cable.quadrature={}", word(rung.cable.quadrature)));
+    if (rung.cable.second_moment != spec.cable.second_moment)
+      result.push_back(fmt::format("cable.second_moment={}", rung.cable.second_moment));
+  }
+  result.push_back(fmt::format("method.name={}", rung.method.name));
+  if (rung.method.step) result.push_back(fmt::format("method.step={}", *rung.method.step));
+  if (rung.method.rtol) result.push_back(fmt::format("method.rtol={}", *rung.method.rtol));
+  if (rung.method.atol) result.push_back(fmt::format("method.atol={}", *rung.method.atol));
+  // All of them, as the file may have others for a method of the same name.
+  for (const auto& [name, value] : rung.method.parameters)
+    result.push_back(fmt::format("method.{}={}", name, value));
+  return result;
+}
+
+std::string in_words(const Rung& rung) {
+  const CableSpec& cable = rung.cable;
+  const auto counted = [&](const char* one) {
+    return fmt::format("{} {}{}", cable.elements, one, cable.elements == 1 ? "" : "s");
+  };
+  std::string text;
+  if (cable.model == CableModel::rigid)
+    text = "rigid rod";
+  else if (cable.model == CableModel::chain)
+    text = "chain of " + counted("link");
+  else
+    text = "cable of " + counted("element");
+  if (cable.model == CableModel::cable) {
+    if (cable.quadrature == QuadratureRule::reduced) text += ", reduced quadrature";
+    if (cable.second_moment == 0) text += ", no bending";
+  }
+  text += ", " + rung.method.name;
+  if (rung.method.step) text += fmt::format(" with step {:.3g} s", *rung.method.step);
+  if (rung.method.rtol) text += fmt::format(" with rtol {:.3g}", *rung.method.rtol);
+  return text;
+}
+
+Rung cable_rung(const Case& spec, int elements, double share_of_step) {
+  return leapfrog(spec, meshed(spec, elements), share_of_step);
+}
+
+std::vector<Rung> ladder(const Case& spec, double limit) {
+  std::vector<Rung> rungs;
+  const auto add = [&](Rung rung) {
+    if (rung.work < limit) rungs.push_back(std::move(rung));
+  };
+  if (has_rigid_rod(spec)) add(rigid_rung(spec));
+  for (const int elements : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256}) {
+    if (has_chain(spec) && elements > 1) {
+      CableSpec chain = meshed(spec, elements);
+      chain.model = CableModel::chain;
+      chain.second_moment = 0;
+      chain.quadrature = QuadratureRule::full;
+      add(leapfrog(spec, chain, 1));
+    }
+    const CableSpec cable = meshed(spec, elements);
+    for (const double share : {1.0, 0.5, 0.25}) add(leapfrog(spec, cable, share));
+    if (cable.quadrature == QuadratureRule::full) {
+      CableSpec reduced = cable;
+      reduced.quadrature = QuadratureRule::reduced;
+      add(leapfrog(spec, reduced, 1));
+    }
+    if (cable.second_moment > 0 && elements > 1) {
+      CableSpec slack = cable;
+      slack.second_moment = 0;
+      // Of the same step there is nothing to be gained: the kernels bend a cable without stiffness as well.
+      if (const Rung rung = leapfrog(spec, slack, 1);
+          *rung.method.step > 1.01 * *leapfrog(spec, cable, 1).method.step)
+        add(rung);
+    }
+    add_implicit(spec, elements, std::min(limit, leapfrog(spec, cable, 1).work), rungs);
+  }
+  std::stable_sort(rungs.begin(), rungs.end(), [](const Rung& a, const Rung& b) { return a.work < b.work; });
+  return rungs;
+}
+
+Rung safe_rung(const Case& spec) {
+  Rung rung{meshed(spec, safe_elements), plain_method(*find_method("arkode-erk"))};
+  rung.method.rtol = rung.method.atol = safe_tolerance;
+  rung.work =
+      std::ceil(spec.time.end * straight_frequency(rung.cable) / safe_phase) * safe_step.of(safe_elements);
+  return rung;
+}
+
+}  // namespace plumb

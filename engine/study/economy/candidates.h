@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/study/economy/economy.h"
+
+namespace plumb {
+
+/// Times between the outputs that a scene needs, s: those of its frames, and so close that the outputs which
+/// the case asks for are among them if it has references or figures that need them.
+double scene_output_interval(const Case& spec);
+
+/// The case with the model and method of a rung, and outputs where frames are.
+Case with_rung(const Case& spec, const Rung& rung);
+/// What makes the case of the file that one, as --set takes it.
+std::vector<std::string> rung_overrides(const Case& spec, const Rung& rung);
+
+/// "cable of 8 elements, velocity-verlet with step 0.00025 s".
+std::string in_words(const Rung& rung);
+
+/// The full model on a mesh by the leapfrog, at a share of the step that it is stable up to.
+Rung cable_rung(const Case& spec, int elements, double share_of_step = 1);
+
+/// Everything that could be cheaper than `limit` (predicted work, ns), from cheap to dear: the rigid rod
+/// where there is one, chains, cables with fewer elements, without bending, with reduced quadrature, with
+/// shorter steps than they need to be stable, and with long implicit steps.
+std::vector<Rung> ladder(const Case& spec, double limit);
+
+/// The safe default: 64 elements, arkode-erk with rtol and atol of 1e-8.
+Rung safe_rung(const Case& spec);
+
+}  // namespace plumb

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/case/case_source.h"
+#include "engine/study/economy/economy.h"
+
+namespace plumb {
+
+/// Version of choice.json; a choice of another version is not used.
+inline constexpr int choice_version = 1;
+
+/// A rung with what was found of it, as choice.json and results.json have it. What is not finite is null.
+nlohmann::ordered_json tried_rung_json(const TriedRung& tried);
+/// Throws nlohmann::json::exception or std::runtime_error for anything else.
+TriedRung tried_rung_of(const nlohmann::ordered_json& json);
+
+/// A whole search.
+nlohmann::ordered_json economy_json(const Economy& economy);
+/// As above.
+Economy economy_of(const nlohmann::ordered_json& json);
+
+/// What a choice must have been made of to count: a hash of the case's text and overrides and of the
+/// program's revision, 16 hexadecimal digits.
+std::string choice_key(const CaseSource& source);
+
+/// choice.json: the search, its key, and `made`, the case that came of it.
+std::string encode_choice(const Economy& economy, const std::string& key, const CaseSource& made);
+/// Reads it back; nothing where its key is another, or it is none that this program writes.
+std::optional<Economy> decode_choice(const std::string& text, const std::string& key);
+/// The same for the case that came of it; nothing where it is another.
+std::optional<Economy> decode_choice_made(const std::string& text, const CaseSource& made);
+
+}  // namespace plumb

@@ -1,0 +1,223 @@
+#include "engine/study/economy/run_economy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "engine/base/parallel.h"
+#include "engine/integrate/integrate.h"
+#include "engine/integrate/method_info.h"
+#include "engine/model/straight_frequency.h"
+#include "engine/read/case_sections.h"
+#include "engine/study/economy/candidates.h"
+#include "engine/study/economy/economy_scenes.h"
+#include "engine/study/economy/model_selection.h"
+
+namespace plumb {
+namespace {
+
+/// The true motion of a case with outputs where frames are, and what tells how true it is.
+struct Truth {
+  Trajectory motion;
+  Trajectory on_half_the_mesh;
+  Trajectory by_another_method;  // not run: not made
+  std::string in_words;
+};
+
+double greatest(const std::vector<double>& values) {
+  double greatest = values.empty() ? INFINITY : 0;
+  for (const double value : values) greatest = std::isfinite(value) ? std::max(greatest, value) : INFINITY;
+  return greatest;
+}
+
+Trajectory by_nystrom(const Case& spec, int elements) {
+  constexpr double phase = 1.2;  // ωh of the fastest vibration: half of what it is stable up to
+  Rung rung = cable_rung(spec, elements);
+  rung.method = plain_method(*find_method("runge-kutta-nystrom"));
+  rung.method.step = std::min(phase / straight_frequency(rung.cable), scene_output_interval(spec) / 4);
+  return integrate(with_rung(spec, rung));
+}
+
+Trajectory by_gauss(const Case& spec, int elements) {
+  constexpr double parts = 40;  // of an interval between frames
+  Rung rung = cable_rung(spec, elements);
+  rung.method = plain_method(*find_method("gauss"));
+  rung.method.step = scene_output_interval(spec) / parts;
+  return integrate(with_rung(spec, rung));
+}
+
+Truth truth_of(const Case& spec, int elements, bool two_methods) {
+  Truth truth{by_nystrom(spec, elements), by_nystrom(spec, elements / 2), {}, {}};
+  truth.in_words = fmt::format("{} elements by runge-kutta-nystrom", elements);
+  if (two_methods) {
+    truth.by_another_method = by_gauss(spec, elements);
+    truth.in_words += ", held against gauss and against half the elements";
+  }
+  return truth;
+}
+
+/// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far
+/// off.
+double doubt_of(const Truth& truth, const PictureErrors& errors) {
+  if (truth.motion.outcome != Outcome::completed) return INFINITY;
+  double doubt = greatest(errors(truth.on_half_the_mesh)) / 3;
+  if (truth.by_another_method.outcome != Outcome::not_run) doubt += greatest(errors(truth.by_another_method));
+  return doubt;
+}
+
+/// The elements of a reference for what was chosen.
+int reference_elements(const EconomySpec& spec, const Economy& economy) {
+  const TriedRung* choice = economy.choice();
+  const int chosen =
+      choice && choice->rung.cable.model == CableModel::cable ? choice->rung.cable.elements : 0;
+  return std::max(spec.reference_elements, 2 * chosen);
+}
+
+double least_seconds(const Case& spec, const Rung& rung) {
+  constexpr int repeats = 3;
+  double least = INFINITY;
+  for (int k = 0; k < repeats; ++k) least = std::min(least, integrate(with_rung(spec, rung)).solve_seconds);
+  return least;
+}
+
+SceneNeed need_of(const std::string& name, const Case& spec, const GaugeOfCase& gauge_of) {
+  SceneNeed need;
+  need.name = name;
+  need.scene = spec.scene;
+  need.economy = choose_rung(spec, gauge_of(spec));
+  return need;
+}
+
+void prove(const Case& spec, const Truth& truth, const GaugeOfCase& gauge_of, SceneNeed& need) {
+  constexpr double certain_share = 0.1;
+  const PictureErrors errors = gauge_of(spec)(truth.motion);
+  need.reference_doubt = doubt_of(truth, errors);
+  need.certified = need.reference_doubt <= certain_share * need.economy.tolerance;
+  for (TriedRung& tried : need.economy.tried)
+    if (tried.outcome == Outcome::completed)
+      tried.true_error = greatest(errors(integrate(with_rung(spec, tried.rung))));
+  if (const TriedRung* choice = need.economy.choice()) need.seconds = least_seconds(spec, choice->rung);
+}
+
+std::vector<std::pair<std::string, Case>> pictures_of(const Case& file_case, const EconomySpec& study) {
+  std::vector<std::pair<std::string, Case>> all;
+  for (const bool close_up : {false, true}) {
+    if (close_up && !study.close_up) continue;
+    for (const int width : study.widths) {
+      Case spec = file_case;
+      spec.scene.size = {width, static_cast<int>(std::lround(1.0 * width * file_case.scene.size[1] /
+                                                             file_case.scene.size[0]))};
+      if (close_up) spec.scene.camera = study.close_up;
+      all.emplace_back(fmt::format("{} by {}, {}", spec.scene.size[0], spec.scene.size[1],
+                                   close_up ? "close-up" : "camera of the scene"),
+                       std::move(spec));
+    }
+  }
+  return all;
+}
+
+/// The one safe run that every picture could be drawn from.
+void run_safe(const Case& spec, EconomyStudy& study) {
+  constexpr double time_limit = 120;
+  const Trajectory safe = integrate(with_rung(spec, safe_rung(spec)), {}, time_limit);
+  study.safe_seconds = safe.solve_seconds;
+  study.safe_end = safe.end_time;
+}
+
+CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
+  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
+  return source;
+}
+
+}  // namespace
+
+namespace {
+
+bool has_both(const TriedRung& tried) {
+  return tried.estimate > 0 && std::isfinite(tried.estimate) && tried.true_error >= 0;
+}
+
+}  // namespace
+
+double SceneNeed::worst_ratio() const {
+  double worst = 0;
+  for (const TriedRung& tried : economy.tried)
+    if (has_both(tried)) worst = std::max(worst, (tried.true_error - reference_doubt) / tried.estimate);
+  return worst;
+}
+
+long SceneNeed::proven_rungs() const {
+  if (!(reference_doubt >= 0) || !std::isfinite(reference_doubt)) return 0;
+  return std::count_if(economy.tried.begin(), economy.tried.end(), has_both);
+}
+
+EconomySpec economy_study_of(const Case& spec) {
+  return spec.economy ? *spec.economy : default_economy(spec.scene);
+}
+
+RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& study, long number,
+                             const GaugeOfCase& gauge_of) {
+  RandomScene scene;
+  scene.number = number;
+  scene.overrides = scene_overrides(loaded.spec, study.seed, number);
+  const Case spec = load_case(with(loaded.source, scene.overrides)).spec;
+  const Economy economy = choose_rung(spec, gauge_of(spec));
+  const TriedRung& choice = *economy.choice();
+  scene.chosen = in_words(choice.rung);
+  scene.tolerance = economy.tolerance;
+  scene.holds = economy.holds;
+  scene.estimate = choice.estimate;
+  scene.seconds = choice.seconds;
+  scene.search_share = economy.search_work / economy.safe_work;
+  scene.uncertain = economy.uncertain;
+  if (!scene.holds) return scene;
+  EconomySpec coarser = study;
+  coarser.reference_elements = std::max(2, study.reference_elements / 2);
+  const Truth truth = truth_of(spec, reference_elements(coarser, economy), false);
+  const PictureErrors errors = gauge_of(spec)(truth.motion);
+  scene.reference_doubt = doubt_of(truth, errors);
+  scene.true_error = greatest(errors(integrate(with_rung(spec, choice.rung))));
+  return scene;
+}
+
+EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of,
+                         const EconomyProgress& progress) {
+  const auto say = [&](const std::string& part, double share) {
+    if (progress) progress(part, share);
+  };
+  EconomyStudy study;
+  study.loaded = loaded;
+  study.spec = economy_study_of(loaded.spec);
+  const std::vector<std::pair<std::string, Case>> pictures = pictures_of(loaded.spec, study.spec);
+  int elements = study.spec.reference_elements;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    say("choosing", static_cast<double>(k) / static_cast<double>(pictures.size()));
+    study.needs.push_back(need_of(pictures[k].first, pictures[k].second, gauge_of));
+    elements = std::max(elements, reference_elements(study.spec, study.needs.back().economy));
+  }
+  say("reference", 0);
+  const Truth truth = truth_of(loaded.spec, elements, true);
+  study.reference = truth.in_words;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    say("proving", static_cast<double>(k) / static_cast<double>(pictures.size()));
+    prove(pictures[k].second, truth, gauge_of, study.needs[k]);
+  }
+  say("safe default", 0);
+  run_safe(loaded.spec, study);
+
+  study.scenes.resize(static_cast<std::size_t>(study.spec.scenes));
+  std::mutex guard;
+  std::size_t done = 0;
+  for_each_in_parallel(study.scenes.size(), [&](std::size_t k) {
+    study.scenes[k] = run_random_scene(loaded, study.spec, static_cast<long>(k), gauge_of);
+    // The progress bar belongs to nobody in particular.
+    const std::lock_guard lock(guard);
+    say("random scenes", static_cast<double>(++done) / static_cast<double>(study.scenes.size()));
+  });
+  study.provenance = provenance_now();
+  return study;
+}
+
+}  // namespace plumb

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/study/reference/method_settings.h"
+#include "engine/study/stability/stability.h"
+
+namespace plumb {
+
+/// The energy over time of the schemes among `variants` that structural dynamics uses (family
+/// `structural`), all with one step (s), on each of the cases. `parameters`
+/// are those of the cases.
+std::vector<EnergyHistory> energy_histories(const std::vector<MethodVariant>& variants,
+                                            const std::vector<Case>& cases,
+                                            const std::vector<double>& parameters, double step,
+                                            double time_limit, const std::function<void(double)>& done);
+
+}  // namespace plumb

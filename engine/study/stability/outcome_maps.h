@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/case/case.h"
+#include "engine/study/reference/method_settings.h"
+#include "engine/study/reference/reference_motion.h"
+#include "engine/study/stability/stability.h"
+
+namespace plumb {
+
+/// The motions that the maps of a study are made of.
+struct StabilityMotions {
+  ReferenceMotion base;                     ///< of the case itself, over the longest duration
+  std::vector<ReferenceMotion> parameters;  ///< one each value but the case's own, in the order of the values
+  std::vector<ReferenceMotion> elements;    ///< one each mesh but the case's own
+
+  /// The one of that value, on the case's mesh; of that mesh, at the case's value.
+  const ReferenceMotion& at_parameter(double value) const;
+  const ReferenceMotion& on_mesh(int elements) const;
+};
+
+/// Runs every variant over steps (or tolerances) and each of parameter, elements and duration, in parallel
+/// over the processors, and judges each run by its reference. A run to the longest duration serves for the
+/// shorter ones. `done` is called with the share that is done, never twice at once.
+std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
+                                     const std::vector<MethodVariant>& variants,
+                                     const StabilityMotions& motions,
+                                     const std::function<void(double)>& done);
+
+/// `count` values of equal ratio, rising from `least` to `greatest`.
+std::vector<double> equal_ratios(double least, double greatest, int count);
+
+}  // namespace plumb

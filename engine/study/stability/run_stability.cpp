@@ -1,0 +1,195 @@
+#include "engine/study/stability/run_stability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "engine/base/parallel.h"
+#include "engine/read/changed_case.h"
+#include "engine/read/stability_of.h"
+#include "engine/study/stability/critical_step.h"
+#include "engine/study/stability/energy_histories.h"
+#include "engine/study/stability/mode_amplification.h"
+#include "engine/study/stability/motion_statistics.h"
+#include "engine/study/stability/outcome_maps.h"
+#include "engine/study/stability/predicted_limit.h"
+
+namespace plumb {
+namespace {
+
+class StabilityStudy {
+ public:
+  StabilityStudy(const LoadedCase& loaded, const StudyProgress& progress)
+      : loaded_(loaded),
+        progress_(progress),
+        what_(stability_of(loaded.spec)),
+        variants_(method_variants(what_.methods)) {}
+
+  Stability make() {
+    Stability study;
+    study.title = loaded_.spec.title;
+    study.parameter = what_.parameter;
+    study.parameter_value = own_value();
+    study.elements = loaded_.spec.cable.elements;
+    study.end = loaded_.spec.time.end;
+    study.duration = std::max(what_.durations.back(), study.end);
+    study.tolerance = what_.tolerance;
+    make_motions(study.duration);
+    study.maps = outcome_maps(what_, study.end, variants_, motions_, part("maps"));
+    study.critical_steps = critical_steps();
+    study.energies = energy_histories(variants_, energy_cases(), energy_parameters(), what_.energy_step,
+                                      long_limit(), part("energies"));
+    const auto said = part("amplification");
+    said(0);
+    study.amplifications = mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
+    for (const ReferenceMotion* motion : all_motions()) {
+      study.references.push_back(motion->summary);
+      study.separations.push_back(motion->separation);
+    }
+    study.statistics = motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit());
+    study.provenance = provenance_now();
+    return study;
+  }
+
+ private:
+  double own_value() const {
+    return what_.parameter.empty() ? 0 : loaded_.spec.parameters.at(what_.parameter);
+  }
+
+  /// For what the whole study rests on, or what is drawn whole.
+  double long_limit() const { return 30 * what_.time_limit; }
+
+  std::function<void(double)> part(const std::string& name) const {
+    return [this, name](double share) {
+      if (progress_) progress_(name, share);
+    };
+  }
+
+  Case plain(Case spec) const {
+    spec.stability.reset();
+    spec.work_precision.reset();
+    spec.sweep.reset();
+    spec.variants.clear();
+    return spec;
+  }
+
+  Case with_parameter(double value) const {
+    CaseSource source = loaded_.source;
+    source.overrides.push_back(fmt::format("parameters.{}={}", what_.parameter, value));
+    return plain(load_without_studies(source).spec);
+  }
+
+  void make_motions(double longest) {
+    std::vector<std::pair<Case, double>> cases;
+    Case base = plain(loaded_.spec);
+    base.time.end = longest;
+    cases.emplace_back(base, own_value());
+    std::size_t parameters = 0;
+    for (const double value : what_.parameter_values) {
+      if (value == own_value()) continue;
+      cases.emplace_back(with_parameter(value), value);
+      ++parameters;
+    }
+    for (const int elements : what_.elements) {
+      if (elements == loaded_.spec.cable.elements) continue;
+      Case spec = plain(loaded_.spec);
+      spec.cable.elements = elements;
+      cases.emplace_back(spec, own_value());
+    }
+    std::vector<ReferenceMotion> motions(cases.size());
+    const auto said = part("references");
+    std::mutex saying;
+    std::size_t ready = 0;
+    said(0);
+    for_each_in_parallel(cases.size(), [&](std::size_t k) {
+      // The finest mesh takes longest and begins first.
+      const std::size_t at = cases.size() - 1 - k;
+      motions[at] = reference_motion(cases[at].first, cases[at].second, what_.tolerance, long_limit());
+      const std::lock_guard lock(saying);
+      said(static_cast<double>(++ready) / static_cast<double>(cases.size()));
+    });
+    motions_.base = std::move(motions.front());
+    for (std::size_t k = 1; k < motions.size(); ++k)
+      (k <= parameters ? motions_.parameters : motions_.elements).push_back(std::move(motions[k]));
+  }
+
+  /// Those over the parameter first, then those over the meshes, either with the case's own among them.
+  std::vector<const ReferenceMotion*> all_motions() const {
+    std::vector<const ReferenceMotion*> all{&motions_.base};
+    for (const ReferenceMotion& motion : motions_.parameters) all.push_back(&motion);
+    std::sort(all.begin(), all.end(),
+              [](const ReferenceMotion* a, const ReferenceMotion* b) { return a->parameter < b->parameter; });
+    for (const ReferenceMotion& motion : motions_.elements) all.push_back(&motion);
+    return all;
+  }
+
+  std::vector<CriticalStep> critical_steps() const {
+    struct Task {
+      const MethodVariant* variant;
+      const ReferenceMotion* motion;
+    };
+    const std::vector<MethodVariant> variants = method_variants(what_.limit_methods);
+    std::vector<Task> tasks;
+    for (const MethodVariant& variant : variants)
+      if (variant.by_step)
+        for (const ReferenceMotion* motion : all_motions()) tasks.push_back({&variant, motion});
+    std::vector<CriticalStep> steps(tasks.size());
+    const auto said = part("critical steps");
+    std::mutex saying;
+    std::size_t ready = 0;
+    said(0);
+    for_each_in_parallel(tasks.size(), [&](std::size_t k) {
+      const std::size_t at = tasks.size() - 1 - k;
+      const auto& [variant, motion] = tasks[at];
+      Case spec = motion->spec;
+      spec.time.end = loaded_.spec.time.end;
+      steps[at] = critical_step(spec, variant->method, long_limit());
+      steps[at].label = variant->label;
+      steps[at].parameter = motion->parameter;
+      steps[at].limit_kind = limit_kind(variant->method);
+      steps[at].predicted = vibration_limit(variant->method, motion->summary.frequency_at_start,
+                                            motion->summary.frequency_at_worst);
+      const std::lock_guard lock(saying);
+      said(static_cast<double>(++ready) / static_cast<double>(tasks.size()));
+    });
+    return steps;
+  }
+
+  /// The case itself, and the first of the parameter's values where that is another one.
+  std::vector<const ReferenceMotion*> energy_motions() const {
+    std::vector<const ReferenceMotion*> motions{&motions_.base};
+    if (!motions_.parameters.empty() && what_.parameter_values.front() != own_value())
+      motions.push_back(&motions_.parameters.front());
+    return motions;
+  }
+
+  std::vector<Case> energy_cases() const {
+    std::vector<Case> cases;
+    for (const ReferenceMotion* motion : energy_motions()) {
+      cases.push_back(motion->spec);
+      cases.back().time.end = motions_.base.spec.time.end;
+    }
+    return cases;
+  }
+
+  std::vector<double> energy_parameters() const {
+    std::vector<double> values;
+    for (const ReferenceMotion* motion : energy_motions()) values.push_back(motion->parameter);
+    return values;
+  }
+
+  const LoadedCase& loaded_;
+  const StudyProgress& progress_;
+  StabilitySpec what_;
+  std::vector<MethodVariant> variants_;
+  StabilityMotions motions_;
+};
+
+}  // namespace
+
+Stability run_stability(const LoadedCase& loaded, const StudyProgress& progress) {
+  return StabilityStudy(loaded, progress).make();
+}
+
+}  // namespace plumb

@@ -1,0 +1,207 @@
+#include "engine/study/uncertainty/run_uncertainty.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+
+#include "engine/base/parallel.h"
+#include "engine/integrate/integrate.h"
+#include "engine/integrate/method_info.h"
+#include "engine/read/uncertain_keys.h"
+#include "engine/run/sampled_run.h"
+#include "engine/study/reference/comparable_times.h"
+#include "engine/study/uncertainty/uncertainty_parts.h"
+
+namespace plumb {
+namespace {
+
+/// Of one run, s of the processor: an estimate must not take longer than anyone waits for it.
+constexpr double longest_run = 60;
+
+/// What a planned run saw at the times of each reference, or why it has nothing to show.
+struct Seen {
+  std::vector<ProbeTable> at_references;
+  std::string fault;
+
+  ColumnValues column(std::size_t reference, const std::string& name) const {
+    if (!fault.empty()) return {{}, fault};
+    return {at_references[reference].find(name)->values, {}};
+  }
+};
+
+Seen see(const PlannedRun& planned, const std::vector<std::vector<double>>& times) {
+  if (!planned.fault.empty()) return {{}, planned.fault};
+  const Trajectory trajectory = integrate(planned.spec, {}, longest_run);
+  if (trajectory.outcome != Outcome::completed) return {{}, trajectory.message};
+  Seen seen;
+  for (const std::vector<double>& at : times)
+    seen.at_references.push_back(probe(planned.spec, trajectory, at));
+  return seen;
+}
+
+/// The runs that are asked for, and what was seen of them.
+struct Runs {
+  ThreeMeshes meshes;
+  std::vector<PlannedRun> planned;
+  std::vector<Seen> seen;  // as `planned`
+  bool has_numerical = false;
+  std::size_t first_sample = 0;
+  std::vector<std::string> sampled;
+};
+
+constexpr std::size_t finer_run = 3;  // after three meshes
+
+Runs plan(const LoadedCase& loaded) {
+  const Case& spec = loaded.spec;
+  Runs runs;
+  runs.meshes = three_meshes(spec.cable.elements);
+  runs.has_numerical = spec.uncertainty->numerical;
+  if (runs.has_numerical) {
+    for (const int elements : runs.meshes.elements) {
+      PlannedRun mesh{spec, {}};
+      mesh.spec.cable.elements = elements;
+      mesh.spec = exact_in_time(mesh.spec);
+      runs.planned.push_back(std::move(mesh));
+    }
+    runs.planned.push_back(finer_in_time(spec));
+  }
+  runs.first_sample = runs.planned.size();
+  if (spec.uncertainty->samples > 0) {
+    PlannedSamples samples = planned_samples(loaded);
+    runs.sampled = std::move(samples.texts);
+    for (PlannedRun& sample : samples.runs) runs.planned.push_back(std::move(sample));
+  }
+  return runs;
+}
+
+void carry_out(Runs& runs, const std::vector<std::vector<double>>& times,
+               const UncertaintyProgress& progress) {
+  runs.seen.resize(runs.planned.size());
+  std::mutex guard;
+  std::size_t done = 0;
+  for_each_in_parallel(runs.planned.size(), [&](std::size_t k) {
+    runs.seen[k] = see(runs.planned[k], times);
+    const std::lock_guard lock(guard);
+    ++done;
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(runs.planned.size()));
+  });
+}
+
+InputSampling sampling_of(const Run& run, const Runs& runs) {
+  const UncertaintySpec& spec = *run.loaded.spec.uncertainty;
+  InputSampling sampling;
+  sampling.samples = spec.samples;
+  sampling.seed = spec.seed;
+  sampling.inputs = spec.inputs;
+  for (const UncertainInput& input : spec.inputs)
+    sampling.values.push_back(*uncertain_value(run.loaded.spec, input.key));
+  for (std::size_t k = 0; k < runs.sampled.size(); ++k) {
+    const Seen& seen = runs.seen[runs.first_sample + k];
+    sampling.completed += seen.fault.empty();
+    if (!seen.fault.empty()) sampling.failures.push_back(fmt::format("{}: {}", runs.sampled[k], seen.fault));
+  }
+  return sampling;
+}
+
+UncertaintyPart not_asked(const char* name, const char* why) {
+  return {name, PartState::not_estimated, why, {}};
+}
+
+std::vector<UncertaintyPart> parts_of(const Run& run, const Runs& runs, const InputSampling& sampling,
+                                      std::size_t r, const Comparison& pair, const SampledRun& sampled) {
+  const Case& spec = run.loaded.spec;
+  const Reference& reference = run.loaded.references[r];
+  const std::vector<double>& own = sampled.values.find(pair.column)->values;
+  std::vector<UncertaintyPart> parts;
+  if (!runs.has_numerical) {
+    for (const char* name : {"mesh", "time integration"})
+      parts.push_back(not_asked(name, "[uncertainty] of the case has numerical = false"));
+  } else {
+    std::array<ColumnValues, 3> meshes;
+    for (std::size_t k = 0; k < meshes.size(); ++k) meshes[k] = runs.seen[k].column(r, pair.column);
+    parts.push_back(mesh_part(runs.meshes, meshes));
+    parts.push_back(time_part(spec.method, own, runs.seen[finer_run].column(r, pair.column)));
+  }
+  parts.push_back(interpolation_part(sampled.errors.find(pair.column)->values));
+  if (reference.kind == ReferenceKind::computed) {
+    parts.push_back({"input", PartState::no_part, "the reference is computed from the same input", {}});
+  } else if (sampling.inputs.empty()) {
+    parts.push_back(not_asked("input", "the case says of no input how uncertain it is"));
+  } else if (sampling.samples == 0) {
+    parts.push_back(not_asked("input", "[uncertainty] of the case has samples = 0"));
+  } else {
+    std::vector<ColumnValues> samples;
+    for (std::size_t k = runs.first_sample; k < runs.seen.size(); ++k)
+      samples.push_back(runs.seen[k].column(r, pair.column));
+    parts.push_back(input_part(sampling, samples));
+  }
+  parts.push_back(data_part(*reference.find(pair.series), own.size()));
+  return parts;
+}
+
+/// Why a run cannot be held against a reference; empty where it can.
+std::string obstacle(const Run& run, const Reference& reference, const std::vector<double>& times) {
+  if (run.trajectory.outcome != Outcome::completed) return "the run did not complete";
+  if (const std::string other = difference(reference.cable, run.loaded.spec.cable); !other.empty())
+    return "the reference is for another cable: " + other;
+  if (times.empty()) return "no time of the reference can be compared";
+  if (!(times.back() > 0)) return "no time of the reference can be compared but the start";
+  return {};
+}
+
+}  // namespace
+
+Uncertainty run_uncertainty(const Run& run, const UncertaintyProgress& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  const Case& spec = run.loaded.spec;
+  Uncertainty result;
+  std::vector<std::vector<std::size_t>> rows;
+  std::vector<std::vector<double>> times;
+  bool any = false;
+  for (std::size_t r = 0; r < spec.references.size(); ++r) {
+    const Reference& reference = run.loaded.references[r];
+    ComparableTimes comparable = comparable_times(run, spec.references[r], reference);
+    rows.push_back(std::move(comparable.rows));
+    times.push_back(std::move(comparable.times));
+    any = any || obstacle(run, reference, times.back()).empty();
+  }
+  Runs runs;
+  if (any) {
+    runs = plan(run.loaded);
+    carry_out(runs, times, progress);
+  }
+  result.runs = static_cast<int>(runs.planned.size());
+  result.sampling = sampling_of(run, runs);
+  for (std::size_t r = 0; r < run.loaded.references.size(); ++r) {
+    const Reference& reference = run.loaded.references[r];
+    const ReferenceUse& use = spec.references[r];
+    const std::string why_not = obstacle(run, reference, times[r]);
+    if (!why_not.empty()) {
+      for (const Comparison& pair : use.compare)
+        result.left_out.push_back(fmt::format("{}: {}: {}", use.name, pair.column, why_not));
+      continue;
+    }
+    const SampledRun seen = sample(spec, run.trajectory, times[r]);
+    for (const Comparison& pair : use.compare) {
+      const std::vector<double>& own = seen.values.find(pair.column)->values;
+      const ReferenceSeries& data = *reference.find(pair.series);
+      SeriesUncertainty series;
+      series.reference = use.name;
+      series.series = pair.series;
+      series.column = pair.column;
+      series.unit = data.unit;
+      series.published = reference.kind == ReferenceKind::published;
+      series.times = times[r];
+      for (std::size_t t = 0; t < own.size(); ++t) series.error.push_back(own[t] - data.values[rows[r][t]]);
+      series.parts = parts_of(run, runs, result.sampling, r, pair, seen);
+      conclude(series);
+      result.series.push_back(std::move(series));
+    }
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return result;
+}
+
+}  // namespace plumb

@@ -1,0 +1,161 @@
+#include "engine/study/uncertainty/uncertainty_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "engine/study/uncertainty/comparison_words.h"
+
+namespace plumb {
+namespace {
+
+/// An index covers 95 %. The error of a solution lies to one side of it, and for such a shifted normal
+/// distribution the standard divides by this (ASME V&V 20-2009, section 2-5).
+constexpr double index_coverage = 1.15;
+
+std::vector<double> standard(std::vector<double> index) {
+  for (double& value : index) value /= index_coverage;
+  return index;
+}
+
+UncertaintyPart part(const char* name, PartState state, std::string how, std::vector<double> values = {}) {
+  return {name, state, std::move(how), std::move(values)};
+}
+
+constexpr const char* index_words = "over 1.15, as it covers 95 % of errors to one side";
+
+/// The greatest difference of three columns where that is no more than rounding, as in a motion that every
+/// mesh has exactly.
+std::optional<double> change_by_rounding(const std::array<ColumnValues, 3>& columns) {
+  constexpr double rounding = 1e-11;
+  double change = 0, size = 0;
+  if (columns[0].values.empty()) return {};
+  for (std::size_t t = 0; t < columns[0].values.size(); ++t)
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (!std::isfinite(columns[k].values[t])) return {};
+      change = std::max(change, std::abs(columns[k].values[t] - columns[0].values[t]));
+      size = std::max(size, std::abs(columns[k].values[t]));
+    }
+  return change <= rounding * size ? std::optional(change) : std::nullopt;
+}
+
+}  // namespace
+
+UncertaintyPart mesh_part(const ThreeMeshes& meshes, const std::array<ColumnValues, 3>& columns) {
+  constexpr const char* name = "mesh";
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (!columns[k].fault.empty())
+      return part(
+          name, PartState::not_estimated,
+          fmt::format("the run with {} elements has no result: {}", meshes.elements[k], columns[k].fault));
+  const std::string of = fmt::format("meshes of {}, {} and {} elements, exact in time", meshes.elements[0],
+                                     meshes.elements[1], meshes.elements[2]);
+  if (const std::optional<double> change = change_by_rounding(columns))
+    return part(name, PartState::estimated,
+                fmt::format("{}, agree to {:.2g}, which is rounding", of, *change),
+                std::vector<double>(columns[0].values.size(), *change));
+  const MeshIndex index = mesh_index(columns[0].values, columns[1].values, columns[2].values, meshes.of);
+  if (index.order < 0)
+    return part(name, PartState::not_estimated,
+                of + ": the changes from one to the next do not fall, so that there is no order");
+  return part(name, PartState::estimated,
+              fmt::format("grid convergence index of the {} of {}: order {:.2f} of the greatest changes{}, "
+                          "safety factor {:g}; at each time of the greatest change up to then; {}",
+                          meshes.of == OfThree::finest ? "finest" : "coarsest", of, index.order,
+                          counted_order(index.order) != index.order
+                              ? fmt::format(", counted as {:g}", counted_order(index.order))
+                              : "",
+                          index.safety_factor, index_words),
+              standard(index.values));
+}
+
+UncertaintyPart time_part(const MethodSpec& method, const std::vector<double>& run,
+                          const ColumnValues& finer) {
+  constexpr const char* name = "time integration";
+  if (!finer.fault.empty()) return part(name, PartState::not_estimated, finer.fault);
+  const Refinement refinement = refinement_of(method);
+  const std::string how =
+      method.step ? fmt::format("{} with half its step, {:.3g} s, counted as of order {:g}", method.name,
+                                *method.step / refinement.ratio, refinement.order)
+                  : fmt::format(
+                        "{} with a tenth of its tolerances, rtol {:.3g}, to which errors are taken to "
+                        "be proportional",
+                        method.name, *method.rtol / refinement.ratio);
+  return part(
+      name, PartState::estimated,
+      fmt::format("grid convergence index of two runs, the other one {}; safety factor 3, as the order "
+                  "is not observed; at each time of the greatest change up to then; {}",
+                  how, index_words),
+      standard(two_run_index(run, finer.values, refinement.ratio, refinement.order)));
+}
+
+UncertaintyPart interpolation_part(const std::vector<double>& errors) {
+  constexpr const char* name = "interpolation";
+  if (std::all_of(errors.begin(), errors.end(), [](double error) { return error == 0; }))
+    return part(name, PartState::no_part, "every time of the comparison is an output of the run");
+  std::vector<double> values;
+  for (const double error : errors) values.push_back(error / std::numbers::sqrt3);
+  return part(name, PartState::estimated,
+              "between outputs: the greatest change at those next to a time when every second output is left "
+              "out, taken as bounds of a uniform distribution, over √3",
+              std::move(values));
+}
+
+UncertaintyPart input_part(const InputSampling& sampling, const std::vector<ColumnValues>& samples) {
+  constexpr const char* name = "input";
+  std::vector<const std::vector<double>*> good;
+  for (const ColumnValues& sample : samples)
+    if (sample.fault.empty()) good.push_back(&sample.values);
+  if (good.size() < 2)
+    return part(
+        name, PartState::not_estimated,
+        fmt::format("{} of {} samples have a result, and two are needed", good.size(), samples.size()));
+  const auto n = static_cast<double>(good.size());
+  std::vector<double> deviations(good.front()->size());
+  for (std::size_t t = 0; t < deviations.size(); ++t) {
+    double mean = 0, squares = 0;
+    for (const auto* values : good) mean += (*values)[t] / n;
+    for (const auto* values : good) squares += ((*values)[t] - mean) * ((*values)[t] - mean);
+    deviations[t] = std::sqrt(squares / (n - 1));
+  }
+  return part(
+      name, PartState::estimated,
+      fmt::format("standard deviation over {} of {} samples, a Latin hypercube of {} with seed {}, "
+                  "exact in time; known itself to some {:.0f} %",
+                  good.size(), samples.size(),
+                  sampling.inputs.size() == 1 ? "one input"
+                                              : fmt::format("{} independent inputs", sampling.inputs.size()),
+                  sampling.seed, 100 / std::sqrt(2 * (n - 1))),
+      std::move(deviations));
+}
+
+UncertaintyPart data_part(const ReferenceSeries& series, std::size_t count) {
+  const DataUncertainty data = data_uncertainty(series);
+  return part("data", PartState::estimated, data.how, std::vector<double>(count, data.standard));
+}
+
+void conclude(SeriesUncertainty& series) {
+  series.validation.assign(series.times.size(), 0.0);
+  std::size_t within = 0;
+  series.greatest = 0;
+  for (std::size_t t = 0; t < series.times.size(); ++t) {
+    double squares = 0;
+    for (const UncertaintyPart& each : series.parts)
+      if (each.state == PartState::estimated) squares += each.values[t] * each.values[t];
+    series.validation[t] = std::sqrt(squares);
+    const double size = std::abs(series.error[t]);
+    within += std::isfinite(size) && size <= coverage_factor * series.validation[t];
+    // One that is not a number stays the greatest.
+    const double greatest = std::abs(series.error[series.greatest]);
+    if (!std::isnan(greatest) && !(size <= greatest)) series.greatest = t;
+  }
+  series.share_within = static_cast<double>(within) / static_cast<double>(series.times.size());
+  series.finding =
+      comparison_finding(series.error[series.greatest], coverage_factor * series.validation[series.greatest],
+                         series.unit, series.published, series.whole());
+}
+
+}  // namespace plumb

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/case/case.h"
+#include "engine/integrate/method_info.h"
+#include "engine/integrate/trajectory.h"
+#include "engine/run/provenance.h"
+#include "engine/study/reference/error_norms.h"
+
+namespace plumb {
+
+/// One run of a work-precision study: what was run, what it cost and how far it was off. A run that failed,
+/// went wrong or ran out of time is kept with its outcome.
+struct StudyRun {
+  MethodSpec method;
+  int elements = 0;
+  Outcome outcome = Outcome::not_run;
+  std::string message;  ///< for an outcome other than completed
+  Counters counters;    ///< of one run
+  /// Of the time loop, one an undisturbed repeat, in the order taken. Of a run that did not complete: once,
+  /// up to where it ended.
+  std::vector<double> seconds = {};
+  ErrorNorms time_error;   ///< against the same mesh integrated exactly
+  ErrorNorms total_error;  ///< against the mesh-converged solution
+
+  bool completed() const { return outcome == Outcome::completed; }
+  /// The least of `seconds`; -1: not timed.
+  double work_seconds() const;
+  /// "step 5e-4 s", "rtol 1e-8": what was varied along the curve.
+  std::string setting() const;
+};
+
+/// A reference that two unlike methods of high order agree on.
+struct CertifiedReference {
+  int elements = 0;
+  std::string first;           ///< method and settings whose trajectory serves as the reference
+  std::string second;          ///< the one it was held against
+  double agreement = -1;       ///< greatest distance of their tips, m; -1: one of them failed
+  double smallest_error = -1;  ///< the smallest error drawn against it, m; -1: none
+  /// True if the two agree to a tenth of the smallest error drawn. Otherwise `floor` is drawn.
+  bool certified = false;
+  double floor =
+      0;  ///< m: errors below it mean nothing. Ten times the agreement, or the mesh error if greater
+  std::string why_not = {};  ///< in words, where it is not certified
+};
+
+/// The order of accuracy seen along a curve: the slope of log error over log step by least squares.
+struct ObservedOrder {
+  double order = -1;                           ///< -1: no asymptotic part with three runs was found
+  double deviation = 0;                        ///< standard deviation of the slope
+  double largest_step = 0, smallest_step = 0;  ///< the part that was used, s
+};
+
+/// A method with its variant on one mesh, over a range of steps or tolerances.
+struct StudyCurve {
+  std::string label;  ///< "generalized-alpha, ρ∞ = 0.5"; the same on every mesh
+  std::string method;
+  MethodFamily family = MethodFamily::explicit_one_step;
+  int elements = 0;
+  std::vector<std::size_t> runs;  ///< indices into WorkPrecision::runs, from the largest step or tolerance
+  std::string stated_order;
+  ObservedOrder observed;    ///< of time_error.tip_max over the mean step
+  std::string ending = {};   ///< why the curve has no finer runs, in words; empty: it has all that were asked
+  bool conspicuous = false;  ///< the errors flatten together with those of two or more other curves
+};
+
+/// Three or more curves that stop at one error: the reference or something they share is the reason.
+struct CommonFloor {
+  double error = 0;  ///< m
+  std::vector<std::size_t> curves;
+};
+
+/// What the mesh alone does: Richardson extrapolation and the grid convergence index.
+struct MeshConvergence {
+  std::vector<int> elements;  ///< coarse to fine
+  std::vector<double>
+      distance;  ///< of each mesh, integrated exactly, to the finest: tip, greatest over time, m
+  /// Of each mesh to the next finer one, m: one less than `elements`. The last three meshes give the figures
+  /// below.
+  std::vector<double> change;
+  double observed_order = -1;          ///< -1: the changes do not fall from mesh to mesh
+  double extrapolated_error = -1;      ///< Richardson's estimate of the finest mesh's own error, m
+  double grid_convergence_index = -1;  ///< of the finest mesh, m, with the safety factor below
+  double safety_factor = 1.25;
+  std::string standard;  ///< whose formula: "ASME V&V 20-2009, section 2-4"
+};
+
+/// The cheapest run below an error, for one decade of error.
+struct CheapestRun {
+  double error = 0;      ///< 10^k, m
+  std::size_t run = 0;   ///< index into WorkPrecision::runs
+  std::string in_words;  ///< "below 1e-4 m: rk4 with 4 elements, step 5e-4 s, 0.41 ms"
+};
+
+/// A work-precision study of one case. Two questions are kept apart: how well time is integrated on the mesh
+/// of the case (`time_front`), and how close to the continuum method and mesh together come (`total_front`).
+struct WorkPrecision {
+  std::string title;
+  bool quick = false;      ///< the short form that `plumb run` makes
+  int fixed_elements = 0;  ///< the mesh of the first question
+  double end = 0;          ///< s
+  double length = 0;       ///< of the cable, m
+  /// Of the fastest vibration of the case's mesh at the start, rad/s; 0: none.
+  double fastest_frequency = 0;
+  std::vector<StudyRun> runs;
+  std::vector<StudyCurve> curves;
+  std::vector<CertifiedReference> mesh_references;  ///< one a mesh
+  CertifiedReference converged_reference;
+  /// Richardson's estimate of the mesh error of the converged reference itself, m; -1: not known.
+  double converged_mesh_error = -1;
+  /// Pareto front of seconds and time_error.tip_max on the fixed mesh, of the runs that are not wrong.
+  std::vector<std::size_t> time_front;
+  std::vector<std::size_t> total_front;  ///< of seconds and total_error.tip_max over all meshes
+  std::vector<CheapestRun> time_cheapest;
+  std::vector<CheapestRun> total_cheapest;
+  std::vector<CommonFloor> common_floors;
+  std::optional<MeshConvergence> mesh;
+  Provenance provenance;
+};
+
+/// A completed run that is further off than this share of the length is stable but wrong.
+inline constexpr double wrong_beyond = 0.1;
+
+}  // namespace plumb

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/diff/picture_moves.h"
+#include "report/document/document.h"
+
+namespace plumb {
+
+/// A probe may move by this share of its largest value before it counts as a regression: room for another
+/// compiler's rounding, not for another answer.
+inline constexpr double default_regression_share = 1e-9;
+
+/// Throws InputError where the baseline at `path` is of another case than `now` (the `case` of a report),
+/// with the keys that differ and both values, shortened where they are many.
+void refuse_other_case(const Document& baseline, const std::string& path, const Document& now);
+
+/// Adds to a report what became of it since an earlier one of the same case: verdicts of regression, which
+/// say that nothing moved and never that anything is right, and under `baseline` where the earlier report is,
+/// when it was made, and what changed. What either lacks has moved; where there is nothing to compare, that
+/// is a verdict that was not run; a baseline that was changed after it was written
+/// is one that failed, unless it has no check sum. The outcome is left as it is; all_criteria_met and the
+/// headline take the verdicts in. `share`, a finite number, is what each column may move by, of its largest
+/// value. Throws InputError for a baseline of another case.
+void hold_against_baseline(Document& document, const Document& baseline, const std::string& path,
+                           double share, const std::vector<PictureMove>& pictures = {});
+
+}  // namespace plumb

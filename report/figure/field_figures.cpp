@@ -1,0 +1,128 @@
+#include "report/figure/field_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/case/figure_names.h"
+#include "engine/model/cable.h"
+#include "engine/run/cable_field.h"
+#include "engine/run/field_envelope.h"
+#include "engine/run/field_map.h"
+#include "report/figure/ending_mark.h"
+#include "report/figure/number_markup.h"
+
+namespace plumb {
+namespace {
+
+// As fine as a picture shows, and few enough numbers for a file.
+constexpr int map_columns = 300, map_rows = 120;
+
+constexpr const char* place_label = "distance along the cable [m]";
+
+/// The cable that was computed.
+Cable cable_of(const Run& run) {
+  Case spec = run.loaded.spec;
+  spec.cable.elements = run.trajectory.elements;
+  return Cable(spec);
+}
+
+std::string axis_label(std::string_view name, ColorField field) {
+  return fmt::format("{} [{}]", name, unit_markup(unit(field)));
+}
+
+Series along(const FieldEnvelope& envelope, std::vector<double> values, std::string label) {
+  Series series;
+  series.label = std::move(label);
+  series.x = envelope.places;
+  series.y = std::move(values);
+  series.color = palette[0];
+  return series;
+}
+
+std::vector<Figure> range_figure(const Run& run, const Cable& cable, ColorField field, std::string_view name,
+                                 const std::string& quantity, const std::string& label) {
+  const FieldEnvelope envelope = field_envelope(cable, field, run.trajectory);
+  if (!std::isfinite(envelope.peak)) return {};
+  Series greatest = along(envelope, envelope.greatest, "maximum");
+  Series least = along(envelope, envelope.least, "minimum");
+  Series mean = along(envelope, envelope.mean, "mean over time");
+  mean.band = {envelope.least, envelope.greatest};
+  greatest.line_width = least.line_width = 0.6;
+  greatest.dash = Dash::dashed;
+  least.dash = Dash::dotted;
+
+  Panel panel;
+  panel.x.label = place_label;
+  panel.x.range = {0, cable.length()};
+  panel.y.label = axis_label(label, field);
+  panel.y.zero_line = true;
+  panel.series = {std::move(greatest), std::move(mean), std::move(least)};
+  Figure figure;
+  figure.name = name;
+  figure.title = title_of(run, fmt::format("Range of the {} over time", quantity));
+  const auto lowest = std::min_element(envelope.least.begin(), envelope.least.end(), [](double a, double b) {
+    return a < b || (std::isnan(b) && !std::isnan(a));
+  });
+  figure.alt = fmt::format(
+      "Plot of the minimum, mean and maximum over time of the {} along the cable. The greatest is {:.4g} {}, "
+      "{:.4g} m from the first end, at {:.4g} s; the least is {:.4g} {}.",
+      quantity, envelope.peak, unit(field), envelope.peak_place, envelope.peak_time, *lowest, unit(field));
+  figure.plot.panels = {std::move(panel)};
+  return {std::move(figure)};
+}
+
+std::vector<Figure> strain_map_figure(const Run& run, const Cable& cable) {
+  const FieldMap found = field_map(cable, ColorField::axial_strain, run.trajectory, map_columns, map_rows);
+  double lo = HUGE_VAL, hi = -HUGE_VAL;
+  for (const double value : found.values)
+    if (std::isfinite(value)) {
+      lo = std::min(lo, value);
+      hi = std::max(hi, value);
+    }
+  if (!(lo <= hi)) return {};
+  HeatMap map;
+  map.x_edges = found.time_edges;
+  map.y_edges = found.place_edges;
+  map.values = found.values;
+  map.label = axis_label("axial strain ε", ColorField::axial_strain);
+  // Stretched and slack parts are told apart where there is enough of both.
+  constexpr double enough = 0.05;
+  map.diverging = lo < 0 && hi > 0 && std::min(-lo, hi) > enough * std::max(-lo, hi);
+
+  Panel panel;
+  panel.x.label = "time [s]";
+  panel.y.label = place_label;
+  panel.heat_map = std::move(map);
+  mark_ending(run, panel);
+  Figure figure;
+  figure.name = strain_map_figure_name;
+  figure.title = title_of(run, "Axial strain over time and place");
+  figure.alt = fmt::format(
+      "Map of the axial strain over time, from left to right, and along the cable, from its first end at the "
+      "bottom. The cells are from {:.4g} to {:.4g}.",
+      lo, hi);
+  figure.plot.height = 1000;
+  figure.plot.panels = {std::move(panel)};
+  return {std::move(figure)};
+}
+
+}  // namespace
+
+std::vector<Figure> field_figures(const Run& run) {
+  std::vector<Figure> result;
+  const auto add = [&](std::vector<Figure> figures) {
+    for (Figure& figure : figures) result.push_back(std::move(figure));
+  };
+  if (run.trajectory.times.empty()) return result;
+  const Cable cable = cable_of(run);
+  add(range_figure(run, cable, ColorField::axial_force, tension_range_figure_name, "tension", "tension"));
+  if (!cable.chain())
+    add(range_figure(run, cable, ColorField::curvature, curvature_range_figure_name, "curvature",
+                     "curvature κ"));
+  add(strain_map_figure(run, cable));
+  return result;
+}
+
+}  // namespace plumb

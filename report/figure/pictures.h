@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/run/output_folder.h"
+#include "render/gl/gl_context.h"
+#include "render/image/png.h"
+#include "render/scene/frame_stream.h"
+#include "report/base/stages.h"
+#include "report/figure/figures.h"
+#include "report/figure/scene_of_run.h"
+
+namespace plumb {
+
+/// A drawn figure.
+struct Picture {
+  std::string file;  ///< "figures/mid_height.png"
+  std::string title;
+  std::string alt;
+  bool tall = false;  ///< higher than wide
+  std::string png;
+  Plot plot = {};                      ///< what was drawn; of a picture read from a file, nothing
+  std::vector<PanelTimes> times = {};  ///< as in Figure
+};
+
+/// What was drawn of a run, as the page needs it.
+struct Pictures {
+  std::vector<Picture> figures;
+  std::vector<Picture> study;   ///< figures of a study of the same case, if there is one
+  std::vector<Picture> budget;  ///< figures of its error budget, if there is one
+  int first_frame = 0;
+  int frames = 0;
+  double frame_rate = 0;          ///< 1/s
+  double player_frame_rate = 0;   ///< of the animation of the page, 1/s
+  int page_animation_width = 0;   ///< pixels
+  int page_animation_height = 0;  ///< pixels
+  std::string page_animation;     ///< animated PNG small enough for the page
+  std::string page_still;         ///< its last frame, for paper
+  std::string renderer;           ///< GlInfo::fingerprint() of what drew them
+  /// What given runs are drawn through, or why there is no animation; a sentence each.
+  std::vector<std::string> animation_notes = {};
+
+  bool animated() const { return frames > 0; }
+};
+
+/// What every picture file says of itself: program, title, and what drew it.
+PngTexts picture_texts(const GlContext& context, const std::string& title);
+
+/// Draws figures. Throws OutputError when drawing fails, Interrupted when the user stops it.
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                   const PngTexts& texts);
+
+/// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
+/// when drawing or writing fails, Interrupted when the user stops it.
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
+                                  const PngTexts& texts, OutputFolder& folder);
+
+/// Called now and then with the share done, 0 to 1.
+using DrawingProgress = std::function<void(double)>;
+
+/// The frames that were asked for, of so many; all without a range. Throws UsageError where one of them is
+/// not there.
+FrameRange range_within(int frames, const std::optional<FrameRange>& asked);
+
+/// The animation of the page, small enough to lie in it.
+inline constexpr const char* player_file = "player.png";
+
+/// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
+/// animation.png and player.png; of a given run that does not tell enough, figures alone. `scene` is what the
+/// frames show. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+Pictures draw(const Run& run, const SceneOfRun& scene, const std::vector<SeriesError>& errors,
+              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
+              const DrawingProgress& progress = {});
+
+}  // namespace plumb

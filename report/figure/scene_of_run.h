@@ -1,0 +1,39 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "engine/run/run.h"
+#include "render/scene/scene.h"
+
+namespace plumb {
+
+/// What an animation of a run shows: its motion, or what can be drawn of a given one, and the other given
+/// runs over it.
+class SceneOfRun {
+ public:
+  /// `run` must outlive it.
+  explicit SceneOfRun(const Run& run);
+  SceneOfRun(const SceneOfRun&) = delete;
+  SceneOfRun& operator=(const SceneOfRun&) = delete;
+
+  /// The motion of the run that is reported; nullptr where there is not enough to draw.
+  const Trajectory* motion() const { return motion_; }
+  /// For SceneRenderer, beside the motion; it must not outlive this.
+  const SceneInput& input() const { return input_; }
+  SceneInput& input() { return input_; }
+  /// What given runs are drawn through, or why they are not drawn; a sentence each.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  /// The motion of a given run, if there is enough to draw.
+  const Trajectory* drawn(const Run& run, std::size_t given_run);
+
+  std::deque<Trajectory> curves_;
+  const Trajectory* motion_ = nullptr;
+  SceneInput input_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,155 @@
+#include "report/page/page.h"
+
+#include <fmt/format.h>
+
+#include "engine/base/errors.h"
+#include "engine/integrate/method_info.h"
+#include "report/base/document_value.h"
+#include "report/page/changes_html.h"
+#include "report/page/conclusion.h"
+#include "report/page/given_html.h"
+#include "report/page/page_scripts.h"
+#include "report/page/page_tables.h"
+#include "report/page/page_template.h"
+#include "report/page/reproduce.h"
+#include "report/page/verdict_groups.h"
+#include "report/study/economy/economy_section.h"
+#include "report/study/uncertainty/budget_section.h"
+#include "report/study/uncertainty/uncertainty_section.h"
+#include "report/study/work_precision/work_precision_json.h"
+#include "report/study/work_precision/work_precision_page.h"
+
+namespace plumb {
+
+extern const std::string_view page_mustache;
+extern const std::string_view page_css;
+extern const std::string_view study_css;
+extern const std::string_view formulation_mustache;
+
+namespace {
+
+using kainjow::mustache::data;
+
+data figure_rows(const std::vector<Picture>& pictures) {
+  data rows{data::type::list};
+  for (const Picture& picture : pictures) {
+    data row;
+    row["title"] = picture.title;
+    row["alt"] = picture.alt;
+    row["tall"] = picture.tall;
+    row["file"] = picture.file;
+    row["uri"] = data_uri(picture.png);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+const MethodInfo& method_of(const Document& the_case) {
+  const std::string name = the_case.at("method").at("name").get<std::string>();
+  const MethodInfo* info = find_method(name);
+  if (!info) throw InputError("results.json: no method is called " + name);
+  return *info;
+}
+
+std::string formulation_html(const Document& document) {
+  const Document& the_case = document.at("case");
+  if (document.contains("computed_by")) return given_formulation_html(document);
+  const Document& cable = the_case.at("cable");
+  const MethodInfo& method = method_of(the_case);
+  data formulation;
+  formulation["rigid"] = cable.at("model") == word(CableModel::rigid);
+  formulation["chain"] = cable.at("model") == word(CableModel::chain);
+  formulation["green"] = cable.at("strain") == word(StrainModel::green_geometric);
+  formulation["full"] = cable.at("quadrature") == word(QuadratureRule::full);
+  formulation["dynamic"] = method.dynamic;
+  formulation["method"] = method.name;
+  formulation["method_summary"] = method.summary;
+  formulation["method_order"] = method.order;
+  formulation["method_source"] = method.source;
+  return fill_in(formulation_mustache, formulation);
+}
+
+}  // namespace
+
+std::string to_page(const Document& document, const Pictures& pictures) {
+  const auto text = [&](const char* key) { return document.at(key).get<std::string>(); };
+  const Document &the_case = document.at("case"), &solve = document.at("solve"),
+                 &energy = document.at("energy");
+  const std::vector<Verdict> verdicts = verdicts_of(document);
+  const bool solved = document.at("complete").get<bool>();
+  const bool given = document.contains("computed_by");
+  const bool dynamic = given || method_of(the_case).dynamic;
+  const std::string outcome = solve.at("outcome").get<std::string>();
+
+  data page;
+  page["css"] = std::string(page_css) + (document.contains("work_precision") ? std::string(study_css) : "");
+  page["dynamic"] = dynamic;
+  page["title"] = text("title");
+  const Conclusion conclusion = conclusion_of(document);
+  page["good"] = conclusion.good;
+  page["sentence"] = conclusion.sentence;
+  page["trouble"] = conclusion.trouble;
+  page["help"] = conclusion.help;
+  page["has_help"] = !conclusion.help.empty();
+  page["solved"] = solved;
+  page["ended_early"] =
+      solved ? std::string()
+             : fmt::format(
+                   "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
+                   "shown is how it failed, no result of the case.",
+                   solve.at("end_time").get<double>(), the_case.at("time").at("end").get<double>(), outcome);
+  page["outcome"] = outcome;
+  page["outcome_of_all"] = text("outcome");
+  page["has_verdicts"] = !verdicts.empty();
+  page["verdicts"] = verdict_groups(verdicts, command_of(document));
+  page["has_errors"] = !document.at("errors").empty();
+  page["errors"] = error_rows(document);
+  page["has_references"] = !document.at("references").empty();
+  page["references"] = reference_rows(document);
+  page.set("figures", figure_rows(pictures.figures));
+  page["animation"] = data_uri(pictures.page_animation);
+  page["still"] = data_uri(pictures.page_still);
+  page["animation_width"] = std::to_string(pictures.page_animation_width);
+  page["animation_height"] = std::to_string(pictures.page_animation_height);
+  page["frames"] = counted(pictures.frames, "frame", "frames");
+  page["frame_rate"] = four_digits(pictures.frame_rate);
+  page["end_time"] = four_digits(solve.at("end_time"));
+  page["given"] = given;
+  page["computed_by"] = given ? text("computed_by") : std::string();
+  page["reported"] = document.value("reported", "Plumb");
+  page["animated"] = pictures.animated();
+  data notes{data::type::list};
+  for (const std::string& note : pictures.animation_notes) notes.push_back(data{"note", note});
+  page.set("animation_notes", notes);
+  page["has_given_runs"] = document.contains("given_runs");
+  if (document.contains("given_runs")) page["given_runs"] = given_runs_html(document);
+  if (!energy.is_null()) {
+    page["first_kinetic"] =
+        energy.at("kinetic").empty() ? "not run" : four_digits(energy.at("kinetic").front());
+    page["drift"] = four_digits(energy.at("drift"));
+    page["drift_in_words"] = energy.at("drift_in_words").get<std::string>();
+  }
+  page["cost"] = cost_rows(document);
+  page["formulation"] = formulation_html(document);
+  page["case_rows"] = case_rows(document);
+  set_case_and_provenance(page, document);
+  if (document.contains("economy")) page["economy"] = economy_section(document.at("economy"));
+  page["has_uncertainty"] = document.contains("uncertainty");
+  if (document.contains("uncertainty")) page["uncertainty"] = uncertainty_section(document.at("uncertainty"));
+  page["has_budget"] = document.contains("error_budget");
+  if (document.contains("error_budget"))
+    page["budget"] = budget_section(document.at("error_budget"), pictures.budget);
+  const std::string changes = changes_html(document);
+  page["has_changes"] = !changes.empty();
+  page["changes"] = changes;
+  page["has_study"] = document.contains("work_precision");
+  if (document.contains("work_precision")) {
+    const WorkPrecision study = work_precision_from_json(document.at("work_precision"));
+    page["study"] = study_section(study, pictures.study);
+  }
+  page["script_policy"] = "; " + page_script_policy(document);
+  page["scripts"] = page_scripts(document);
+  return fill_in(page_mustache, page);
+}
+
+}  // namespace plumb

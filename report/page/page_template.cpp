@@ -1,0 +1,64 @@
+#include "report/page/page_template.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "report/base/base64.h"
+#include "report/base/escape.h"
+
+namespace plumb {
+
+using kainjow::mustache::data;
+
+std::string fill_in(std::string_view text, const data& values) {
+  kainjow::mustache::mustache page{std::string(text)};
+  page.set_custom_escape([](const std::string& raw) { return escape_xml(raw); });
+  if (!page.is_valid()) throw std::logic_error("page template: " + page.error_message());
+  return page.render(values);
+}
+
+std::string data_uri(const std::string& png) {
+  return "data:image/png;base64," + base64(png);
+}
+
+data pair_rows(const std::vector<std::pair<std::string, std::string>>& items) {
+  data rows{data::type::list};
+  for (const auto& [name, value] : items) {
+    data row;
+    row["name"] = name;
+    row["value"] = value;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void set_case_and_provenance(data& page, const CaseSource& source, const Provenance& provenance,
+                             const Stages& stages) {
+  page["case_name"] = source.file.name;
+  page["case_text"] = source.file.text;
+  data overrides{data::type::list};
+  for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
+  page["has_overrides"] = !source.overrides.empty();
+  page.set("overrides", overrides);
+  page["provenance"] = pair_rows(provenance);
+  std::vector<std::pair<std::string, std::string>> times;
+  for (const auto& [name, seconds] : stages.all()) times.emplace_back(name, fmt::format("{:.2f} s", seconds));
+  page["stages"] = pair_rows(times);
+}
+
+void set_case_and_provenance(data& page, const nlohmann::ordered_json& document) {
+  const auto& the_case = document.at("case");
+  CaseSource source;
+  source.file = {the_case.at("file").get<std::string>(), the_case.at("text").get<std::string>()};
+  source.overrides = the_case.at("overrides").get<std::vector<std::string>>();
+  Provenance provenance;
+  for (const auto& [name, value] : document.at("provenance").items())
+    provenance.emplace_back(name, value.get<std::string>());
+  Stages stages;
+  for (const auto& [name, seconds] : document.at("seconds").items()) stages.add(name, seconds.get<double>());
+  set_case_and_provenance(page, source, provenance, stages);
+}
+
+}  // namespace plumb

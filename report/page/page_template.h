@@ -1,0 +1,34 @@
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/case/case_source.h"
+#include "engine/run/provenance.h"
+#include "report/base/stages.h"
+
+/// What the pages are made with.
+namespace plumb {
+
+/// A template with its values filled in, escaped for HTML.
+std::string fill_in(std::string_view text, const kainjow::mustache::data& values);
+
+/// "data:image/png;base64,…".
+std::string data_uri(const std::string& png);
+
+/// Rows of {{name}} and {{value}}.
+kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::string>>& items);
+
+/// Sets what the end of every report shows: the case's text and overrides, the provenance, and where the time
+/// went.
+void set_case_and_provenance(kainjow::mustache::data& page, const CaseSource& source,
+                             const Provenance& provenance, const Stages& stages);
+
+/// The same from the document of a report.
+void set_case_and_provenance(kainjow::mustache::data& page, const nlohmann::ordered_json& document);
+
+}  // namespace plumb

@@ -1,0 +1,66 @@
+#include "report/program/rebuild_report.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "engine/base/document_sum.h"
+#include "engine/base/errors.h"
+#include "engine/base/parse_json.h"
+#include "engine/run/output_folder.h"
+#include "report/page/page.h"
+#include "report/program/run_pipeline.h"
+
+namespace plumb {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What is written, and what the document says of itself.
+struct Remade {
+  Document document;
+  std::string page, junit, summary;
+  ExitStatus status;
+};
+
+Remade remake(const std::string& path, const std::string& folder) {
+  try {
+    Remade made{read_document(path), {}, {}, {}, ExitStatus::done};
+    check_claims(made.document, path);
+    made.page = to_page(made.document, pictures_of(made.document, folder));
+    made.junit = to_junit(made.document);
+    made.summary = to_summary(made.document);
+    made.status = status_of(made.document);
+    return made;
+  } catch (...) {
+    refuse_unusable(path);
+  }
+}
+
+}  // namespace
+
+ExitStatus report_from_document(const Options& options, Talk& talk) {
+  std::error_code ignored;
+  const bool folder_given = fs::is_directory(options.from, ignored);
+  if (folder_given || fs::path(options.from).extension() == ".html")
+    throw UsageError(fmt::format("--from {}: is a {}; name the results.json {} it", options.from,
+                                 folder_given ? "folder" : "page", folder_given ? "in" : "beside"));
+  const std::string source = fs::absolute(options.from).parent_path().string();
+  const fs::path folder = options.output.empty() ? source : options.output;
+  const Remade made = remake(options.from, source);
+  if (!made.document.contains(check_sum_key)) talk.remark(remark_without_sum(options.from));
+  OutputFolder output(folder.string(), {.content = FolderContent::pages,
+                                        .sources = {options.from},
+                                        .adds = true,
+                                        .beside_others = true,
+                                        .remark = [&talk](const std::string& text) { talk.remark(text); }});
+  output.write("junit.xml", made.junit);
+  output.write("summary.md", made.summary);
+  output.write("index.html", made.page);
+  output.commit();
+  say_report(made.document, folder.string(), options, talk);
+  return made.status;
+}
+
+}  // namespace plumb

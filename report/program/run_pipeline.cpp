@@ -1,0 +1,215 @@
+#include "report/program/run_pipeline.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+
+#include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
+#include "engine/integrate/integrate.h"
+#include "engine/run/given_probes.h"
+#include "engine/run/run_file.h"
+#include "render/gl/gl_context.h"
+#include "report/document/given_json.h"
+#include "report/page/report_files.h"
+#include "report/program/earlier_report.h"
+#include "report/program/output_use.h"
+#include "report/study/economy/economy_figure.h"
+#include "report/study/uncertainty/budget_pictures.h"
+#include "report/study/uncertainty/budget_section.h"
+#include "report/study/work_precision/study_pictures.h"
+
+namespace plumb {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* run_file_name = "run.h5";
+
+}  // namespace
+
+void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk) {
+  say_verdicts(verdicts_of(document), talk);
+  for (const std::string& distance : distances_in_words(document)) talk.line("  " + distance);
+  for (const Document& note : document.at("animation").value("notes", Document::array()))
+    talk.line("animation: " + note.get<std::string>());
+  talk.line(document.at("headline").get<std::string>());
+  if (document.contains("error_budget")) talk.line(budget_in_words(document.at("error_budget")));
+  talk.line("report: " + folder + "/index.html");
+  if (options.json) write_to_standard_output(to_json(document));
+}
+
+ExitStatus status_of(const Document& document) {
+  // A given run that failed was not solved here.
+  if (!document.at("complete").get<bool>())
+    return document.contains("computed_by") ? ExitStatus::criterion_not_met : ExitStatus::solver_failed;
+  const bool met = document.at("all_criteria_met").get<bool>() || document.at("verdicts").empty();
+  return met ? ExitStatus::done : ExitStatus::criterion_not_met;
+}
+
+void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk) {
+  for (const Verdict& verdict : verdicts) {
+    const std::string status = fmt::format("{:<7}", word(verdict.status));
+    talk.line(fmt::format("  {} {:<12} {:<18} {}",
+                          verdict.status == VerdictStatus::passed ? talk.good(status) : talk.bad(status),
+                          word(verdict.kind), verdict.name, verdict.message));
+  }
+}
+
+LoadedCase load(const Options& options, Talk& talk) {
+  LoadedCase loaded = load_case(options.input, options.overrides);
+  for (const std::string& remark : loaded.remarks) talk.remark(remark);
+  return loaded;
+}
+
+Run solve_or_take(const LoadedCase& loaded, Talk& talk) {
+  if (!reports_given_run(loaded.spec)) return solve(loaded, talk);
+  Run run = reported_run(loaded, provenance_now());
+  talk.line(fmt::format("{}: not solved, given by {}: {} from {:.4g} to {:.4g} s", loaded.spec.title,
+                        computed_by(loaded.spec.given_runs.front()),
+                        counted(std::ssize(run.probes.times), "output", "outputs"), run.probes.times.front(),
+                        run.probes.times.back()));
+  return run;
+}
+
+void refuse_without_method(const LoadedCase& loaded) {
+  if (!reports_given_run(loaded.spec)) return;
+  throw UsageError(
+      fmt::format("{} has no [method], so there is nothing to solve: plumb run reports on its given "
+                  "run {}",
+                  loaded.source.file.name, loaded.spec.given_runs.front().name));
+}
+
+Run solve(const LoadedCase& loaded, Talk& talk) {
+  const double end = loaded.spec.time.end;
+  Trajectory trajectory = integrate(loaded.spec, [&](double t) { talk.progress("solving", t / end); });
+  talk.end_progress();
+  ProbeTable probes = probe(loaded.spec, trajectory);
+  talk.line(fmt::format("{}: {} with {} to {:.4g} s in {}, {:.3g} s", loaded.spec.title,
+                        loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
+                        trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
+                        trajectory.solve_seconds));
+  if (const std::string cuts = step_cuts(trajectory.counters.rejected_steps, trajectory.shortest_cut);
+      !cuts.empty())
+    talk.line("its step was " + cuts);
+  if (trajectory.outcome != Outcome::completed)
+    talk.line(talk.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
+  return {loaded, std::move(trajectory), std::move(probes), provenance_now()};
+}
+
+std::string output_path(const Options& options, const LoadedCase& loaded) {
+  if (!options.output.empty()) return options.output;
+  return (fs::path("output") / folder_name_of(loaded.source.file.name)).string();
+}
+
+Run find_run(const std::string& path) {
+  std::error_code ignored;
+  return read_run(fs::is_directory(path, ignored) ? (fs::path(path) / run_file_name).string() : path);
+}
+
+std::string output_path_of_run(const Options& options) {
+  if (!options.output.empty()) return options.output;
+  std::error_code ignored;
+  const fs::path path = options.input;
+  if (fs::is_directory(path, ignored)) return path.string();
+  if (path.filename() != run_file_name && path.filename() != "study.h5" && path.filename() != "study.json")
+    throw UsageError(options.input + " is not named run.h5: name the output folder with -o");
+  return fs::absolute(path).parent_path().string();
+}
+
+void note_renderer(Run& run, const std::string& fingerprint) {
+  const std::string name = "renderer";
+  for (auto& [known, value] : run.provenance)
+    if (known == name) {
+      value = fingerprint;
+      return;
+    }
+  run.provenance.emplace_back(name, fingerprint);
+}
+
+void write_run(const Run& run, OutputFolder& folder) {
+  folder.write(run_file_name, encode_run(run));
+  folder.write("probes.csv", to_csv(run.probes));
+}
+
+Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk) {
+  Pictures pictures = draw(run, scene, series_errors(run), range, folder, stages,
+                           [&](double share) { talk.progress("drawing", share); });
+  talk.end_progress();
+  return pictures;
+}
+
+void say_stages(const Stages& stages, Talk& talk) {
+  std::string text;
+  double total = 0;
+  for (const auto& [name, seconds] : stages.all()) {
+    text += fmt::format("{}{} {:.2f} s", text.empty() ? "" : ", ", name, seconds);
+    total += seconds;
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  talk.line(talk.faint(
+      fmt::format("time: {}; {:.2f} s in all; peak memory {} MB", text, total, usage.ru_maxrss / 1024)));
+}
+
+namespace {
+
+/// All pictures of a report.
+Pictures draw_all(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk, const Study* study,
+                  const Assessment* assessment, const Economy* economy) {
+  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
+  if (study) {
+    stages.begin("study figures");
+    pictures.study = draw_study(study->result, folder);
+    stages.end();
+  }
+  if (assessment && assessment->error_budget && assessment->error_budget->left_out.empty()) {
+    stages.begin("budget figure");
+    pictures.budget = draw_budget(*assessment->error_budget, folder);
+    stages.end();
+  }
+  if (economy) {
+    const GlContext context;
+    for (Picture& picture : draw_figures({economy_figure(*economy)}, context,
+                                         picture_texts(context, run.loaded.spec.title), folder))
+      pictures.figures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+}  // namespace
+
+ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
+                           Talk& talk, const Study* study, const Assessment* assessment,
+                           const Economy* economy) {
+  Pictures pictures;
+  std::string failure;
+  try {
+    pictures = draw_all(run, folder, stages, talk, study, assessment, economy);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const OutputError& error) {
+    // What was solved is worth more than its pictures.
+    talk.end_progress();
+    stages.end();
+    failure = error.what();
+    pictures.animation_notes = {"the pictures could not be drawn: " + failure};
+  }
+  Document document = document_of(evaluate(run, stages, study, assessment, economy), pictures);
+  hold_against_earlier(document, pictures, options, folder.path());
+  stages.begin("report");
+  write_report(document, pictures, folder);
+  folder.commit();
+  stages.end();
+  if (!failure.empty())
+    throw OutputError(
+        fmt::format("{}; the run and its report without pictures are in {}", failure, folder.path()));
+  say_report(document, folder.path(), options, talk);
+  say_stages(stages, talk);
+  return status_of(document);
+}
+
+}  // namespace plumb

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+
+#include "engine/run/output_folder.h"
+#include "engine/run/run.h"
+#include "report/document/document.h"
+#include "report/figure/pictures.h"
+#include "report/program/console.h"
+#include "report/program/options.h"
+#include "report/verdict/results.h"
+
+/// The pieces of work that the verbs are made of.
+namespace plumb {
+
+/// Reads the case of the command line and says what was noteworthy. Throws InputError.
+LoadedCase load(const Options& options, Talk& talk);
+
+/// Integrates a case and takes down what it was done with; says how it went.
+Run solve(const LoadedCase& loaded, Talk& talk);
+
+/// The same, or the given run of a case without [method].
+Run solve_or_take(const LoadedCase& loaded, Talk& talk);
+
+/// Throws UsageError for a case without [method], of which nothing can be solved.
+void refuse_without_method(const LoadedCase& loaded);
+
+/// The folder for a case's results: that of -o, or output/ and the case file's name.
+std::string output_path(const Options& options, const LoadedCase& loaded);
+
+/// Reads a run from a path to its file or its folder. Throws InputError.
+Run find_run(const std::string& path);
+
+/// The folder for what is made from a run: that of -o, or the one that the run lies in. Throws UsageError for
+/// a run file of another name than run.h5 without -o, as it is no part of the folder it lies in.
+std::string output_path_of_run(const Options& options);
+
+/// Takes down in the run's provenance what draws its pictures, as try_drawing() gave it.
+void note_renderer(Run& run, const std::string& fingerprint);
+
+/// Writes run.h5 and probes.csv.
+void write_run(const Run& run, OutputFolder& folder);
+
+/// Says the verdicts, the headline and where the report is; with --json prints the document.
+void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk);
+
+/// 0, 1 or 4 by how the run ended and its verdicts; 1 where one that was given is known to have failed.
+ExitStatus status_of(const Document& document);
+
+void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
+
+/// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
+Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
+                       OutputFolder& folder, Stages& stages, Talk& talk);
+
+/// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
+/// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.
+ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
+                           Talk& talk, const Study* study = nullptr, const Assessment* assessment = nullptr,
+                           const Economy* economy = nullptr);
+
+/// `plumb run` of one case.
+ExitStatus run_one(const Options& options, Talk& talk);
+
+/// Says where the time went, and the peak memory.
+void say_stages(const Stages& stages, Talk& talk);
+
+}  // namespace plumb

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "report/program/run_pipeline.h"
+#include "report/study/work_precision/work_precision_results.h"
+
+/// The pieces of work on studies that the verbs are made of.
+namespace plumb {
+
+/// Makes the quick study of a case with a progress bar.
+Study quick_study(const LoadedCase& loaded, Talk& talk);
+
+/// Writes study.h5.
+void write_study(const Study& study, OutputFolder& folder);
+
+/// The study that lies beside a run, if any. Throws InputError where it cannot be used.
+std::optional<Study> study_beside(const std::string& run_path);
+
+/// Reads a study from a path to its file or its folder. Throws InputError.
+Study find_study(const std::string& path);
+
+/// True for the path to a study.h5, or to a folder with one and no run.h5.
+bool is_study(const std::string& path);
+
+/// All that follows a study: verdicts and report, with the folder put in place and the findings said.
+ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages, const Options& options,
+                        Talk& talk);
+
+}  // namespace plumb

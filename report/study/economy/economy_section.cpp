@@ -1,0 +1,67 @@
+#include "report/study/economy/economy_section.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/study/economy/candidates.h"
+#include "engine/study/economy/economy_json.h"
+#include "report/page/page_template.h"
+#include "report/study/economy/economy_text.h"
+
+namespace plumb {
+
+extern const std::string_view economy_mustache;
+
+namespace {
+
+using kainjow::mustache::data;
+
+std::string cost(const TriedRung& tried) {
+  return tried.seconds < 0 ? "not run" : fmt::format("{:.3g} ms", 1e3 * tried.seconds);
+}
+
+data rung_rows(const Economy& economy) {
+  data rows{data::type::list};
+  for (std::size_t k = 0; k < economy.tried.size(); ++k) {
+    const TriedRung& tried = economy.tried[k];
+    data row;
+    row["name"] = in_words(tried.rung);
+    row["cost"] = cost(tried);
+    row["estimate"] = tried.estimate < 0 ? "–" : pixels_in_words(tried.estimate);
+    row["why"] = tried.why;
+    row["chosen"] = static_cast<int>(k) == economy.chosen;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+nlohmann::ordered_json economy_document(const Economy& economy, const SceneSpec& scene) {
+  nlohmann::ordered_json json = economy_json(economy);
+  const TriedRung* choice = economy.choice();
+  json["in_words"] = economy_sentence(economy, scene);
+  json["needs"] = choice ? in_words(choice->rung) : "";
+  if (choice) json["picture_error"] = tried_rung_json(*choice)["estimated_picture_error"];
+  json["explained"] = explain(economy);
+  return json;
+}
+
+std::string economy_section(const nlohmann::ordered_json& document) {
+  const Economy economy = economy_of(document);
+  data section;
+  section["sentence"] = document.at("in_words").get<std::string>();
+  section["good"] = economy.holds;
+  section["rungs"] = rung_rows(economy);
+  section["safety"] = fmt::format("{:g}", economy_safety);
+  section["tolerance"] = fmt::format("{:g}", economy.tolerance);
+  data notes{data::type::list};
+  const auto& lines = document.at("explained");
+  for (std::size_t k = economy.tried.size(); k < lines.size(); ++k)
+    notes.push_back(data{"note", lines[k].get<std::string>()});
+  section.set("notes", notes);
+  return fill_in(economy_mustache, section);
+}
+
+}  // namespace plumb

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/study/stability/stability.h"
+#include "render/plot/plot.h"
+
+namespace plumb {
+
+/// A map of outcomes as a panel with the predicted limits over it; `title` may be empty. Its categories are
+/// those of map_key().
+Panel map_panel(const Stability& study, const OutcomeMap& map, const std::string& title);
+
+/// What is said once of the panels of these maps: the outcomes that occur, and the limits where there are
+/// any.
+Key map_key(const std::vector<const OutcomeMap*>& maps);
+
+}  // namespace plumb

@@ -1,0 +1,156 @@
+#include "report/study/uncertainty/uncertainty_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "report/base/document_value.h"
+#include "report/page/page_template.h"
+
+namespace plumb {
+
+extern const std::string_view uncertainty_mustache;
+
+namespace {
+
+using kainjow::mustache::data;
+using Json = nlohmann::ordered_json;
+
+std::string number(const Json& json) {
+  return json.is_number() ? fmt::format("{:.2g}", json.get<double>()) : "not finite";
+}
+
+std::string part_text(const Json& part) {
+  return text_of(part, "state") == "estimated" ? number(part.at("at_greatest_error"))
+                                               : text_of(part, "state");
+}
+
+data part_cells(const Json& series) {
+  data cells{data::type::list};
+  for (const Json& part : series.at("parts")) {
+    data cell;
+    cell["value"] = part_text(part);
+    cell["words"] = text_of(part, "state") != "estimated";
+    cells.push_back(cell);
+  }
+  return cells;
+}
+
+data series_rows(const Json& uncertainty) {
+  const double k = uncertainty.at("coverage_factor").get<double>();
+  data rows{data::type::list};
+  for (const Json& series : uncertainty.at("series")) {
+    const Json& u = series.at("validation_uncertainty_at_greatest");
+    const std::string at_least = series.at("at_least").get<bool>() ? "≥ " : "";
+    data row;
+    row["name"] = fmt::format("{}: {}", text_of(series, "reference"), text_of(series, "column"));
+    row["error"] = series.at("error_at_greatest").is_number()
+                       ? fmt::format("{:+.3g}", series.at("error_at_greatest").get<double>())
+                       : "not finite";
+    row["time"] = fmt::format("{:.4g}", series.at("time_of_greatest").get<double>());
+    row["unit"] = text_of(series, "unit");
+    row.set("parts", part_cells(series));
+    row["u"] = at_least + number(u);
+    row["expanded"] = u.is_number() ? at_least + fmt::format("{:.2g}", k * u.get<double>()) : "not finite";
+    row["share"] = fmt::format("{:.0f} %", 100 * series.at("share_within").get<double>());
+    row["finding"] = text_of(series, "finding");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// How each part was obtained, with the series that it holds for, each text once.
+data how_rows(const Json& uncertainty) {
+  struct How {
+    std::string part, state, text, series;
+  };
+  std::vector<How> all;
+  for (const Json& series : uncertainty.at("series"))
+    for (const Json& part : series.at("parts")) {
+      const std::string name = fmt::format("{}: {}", text_of(series, "reference"), text_of(series, "column"));
+      const How how{text_of(part, "name"), text_of(part, "state"), text_of(part, "how"), name};
+      const auto same = std::find_if(all.begin(), all.end(), [&](const How& other) {
+        return other.part == how.part && other.state == how.state && other.text == how.text;
+      });
+      if (same == all.end())
+        all.push_back(how);
+      else
+        same->series += ", " + name;
+    }
+  std::stable_sort(all.begin(), all.end(), [&](const How& a, const How& b) {
+    const auto place = [&](const How& how) {
+      const auto first =
+          std::find_if(all.begin(), all.end(), [&](const How& any) { return any.part == how.part; });
+      return first - all.begin();
+    };
+    return place(a) < place(b);
+  });
+  data rows{data::type::list};
+  for (const How& how : all) {
+    data row;
+    row["part"] = how.part;
+    row["state"] = how.state;
+    row["how"] = how.text;
+    row["series"] = how.series;
+    row["open"] = how.state == "not estimated";
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+data input_rows(const Json& sampling) {
+  data rows{data::type::list};
+  for (const Json& input : sampling.at("inputs")) {
+    const double spread = input.at("spread").get<double>();
+    data row;
+    row["key"] = text_of(input, "key");
+    row["value"] = fmt::format("{:.6g}", input.at("value").get<double>());
+    row["spread"] = fmt::format(
+        "{}{}", text_of(input, "distribution") == "normal" ? "standard deviation " : "± ",
+        input.at("relative").get<bool>() ? fmt::format("{:g} %", 100 * spread) : fmt::format("{:g}", spread));
+    row["distribution"] = text_of(input, "distribution");
+    row["source"] = text_of(input, "source");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+data text_rows(const Json& texts) {
+  data rows{data::type::list};
+  for (const Json& text : texts) rows.push_back(data{"text", text.get<std::string>()});
+  return rows;
+}
+
+}  // namespace
+
+std::string uncertainty_section(const Json& uncertainty) {
+  const Json& sampling = uncertainty.at("sampling");
+  data values;
+  values["standard"] = text_of(uncertainty, "standard");
+  values["k"] = fmt::format("{:g}", uncertainty.at("coverage_factor").get<double>());
+  values["runs"] = std::to_string(uncertainty.at("runs").get<int>());
+  values["seconds"] = fmt::format("{:.2g}", uncertainty.at("seconds").get<double>());
+  values["has_series"] = !uncertainty.at("series").empty();
+  values.set("series", series_rows(uncertainty));
+  data names{data::type::list};
+  if (!uncertainty.at("series").empty())
+    for (const Json& part : uncertainty.at("series")[0].at("parts"))
+      names.push_back(data{"name", text_of(part, "name")});
+  values["part_count"] = std::to_string(names.list_value().size());
+  values.set("part_names", names);
+  values.set("hows", how_rows(uncertainty));
+  values["has_inputs"] = !sampling.at("inputs").empty();
+  values.set("inputs", input_rows(sampling));
+  const int samples = sampling.at("samples").get<int>(), completed = sampling.at("completed").get<int>();
+  values["samples"] = std::to_string(samples);
+  values["completed"] = std::to_string(completed);
+  values["failed"] = std::to_string(sampling.at("failures").size());
+  values["has_failures"] = !sampling.at("failures").empty();
+  values.set("failures", text_rows(sampling.at("failures")));
+  values["has_left_out"] = !uncertainty.at("left_out").empty();
+  values.set("left_out", text_rows(uncertainty.at("left_out")));
+  return fill_in(uncertainty_mustache, values);
+}
+
+}  // namespace plumb

@@ -1,0 +1,132 @@
+#include "report/study/work_precision/compared_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace plumb {
+namespace {
+
+bool shown(const WorkPrecision& study, const StudyRun& run, StudyQuestion question) {
+  return fate_of(study, run, question) == RunFate::good && run.work_seconds() > 0;
+}
+
+/// Cost of the line's best run over that of the cheapest run with at most its error; infinite without a run.
+double handicap(const WorkPrecision& study, const StudyLine& line, const std::vector<StudyLine>& all,
+                StudyQuestion question) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : line.runs) {
+    const StudyRun& run = study.runs[k];
+    if (!shown(study, run, question)) continue;
+    double cheapest = run.work_seconds();
+    for (const StudyLine& other : all)
+      for (const std::size_t j : other.runs)
+        if (shown(study, study.runs[j], question) &&
+            errors_of(study.runs[j], question).tip_max <= errors_of(run, question).tip_max)
+          cheapest = std::min(cheapest, study.runs[j].work_seconds());
+    least = std::min(least, run.work_seconds() / cheapest);
+  }
+  return least;
+}
+
+}  // namespace
+
+const ErrorNorms& errors_of(const StudyRun& run, StudyQuestion question) {
+  return question == StudyQuestion::time ? run.time_error : run.total_error;
+}
+
+const std::vector<std::size_t>& front_of(const WorkPrecision& study, StudyQuestion question) {
+  return question == StudyQuestion::time ? study.time_front : study.total_front;
+}
+
+const CertifiedReference* reference_of(const WorkPrecision& study, StudyQuestion question) {
+  if (question == StudyQuestion::total)
+    return study.converged_reference.elements > 0 ? &study.converged_reference : nullptr;
+  for (const CertifiedReference& reference : study.mesh_references)
+    if (reference.elements == study.fixed_elements) return &reference;
+  return nullptr;
+}
+
+RunFate fate_of(const WorkPrecision& study, const StudyRun& run, StudyQuestion question) {
+  const double error = errors_of(run, question).tip_max;
+  if (!run.completed() || !std::isfinite(error) || error < 0) return RunFate::failed;
+  return study.length > 0 && error > wrong_beyond * study.length ? RunFate::wrong : RunFate::good;
+}
+
+std::string trouble_of(const WorkPrecision& study, const StudyRun& run, StudyQuestion question) {
+  switch (fate_of(study, run, question)) {
+    case RunFate::good:
+      return "";
+    case RunFate::wrong:
+      return fmt::format("stable but wrong: {:.3g} m off", errors_of(run, question).tip_max);
+    case RunFate::failed:
+      break;
+  }
+  if (run.completed()) return "not compared: there is no reference that reaches its outputs";
+  return run.message.empty() ? std::string(word(run.outcome)) : run.message;
+}
+
+bool any_compared(const WorkPrecision& study, StudyQuestion question) {
+  return std::any_of(study.runs.begin(), study.runs.end(),
+                     [&](const StudyRun& run) { return fate_of(study, run, question) != RunFate::failed; });
+}
+
+std::vector<StudyLine> study_lines(const WorkPrecision& study, StudyQuestion question) {
+  std::vector<StudyLine> lines;
+  for (std::size_t c = 0; c < study.curves.size(); ++c) {
+    const StudyCurve& curve = study.curves[c];
+    if (question == StudyQuestion::time && curve.elements != study.fixed_elements) continue;
+    auto line = std::find_if(lines.begin(), lines.end(),
+                             [&](const StudyLine& known) { return known.label == curve.label; });
+    if (line == lines.end())
+      line = lines.insert(lines.end(), {curve.label, curve.method, curve.family, {}, {}});
+    line->curves.push_back(c);
+    line->runs.insert(line->runs.end(), curve.runs.begin(), curve.runs.end());
+  }
+  return lines;
+}
+
+std::vector<StudyLine> chosen_lines(const WorkPrecision& study, StudyQuestion question, std::size_t most) {
+  std::vector<StudyLine> lines = study_lines(study, question);
+  if (lines.size() <= most) return lines;
+  struct Rank {
+    std::size_t line;
+    std::size_t on_front;
+    double handicap;
+  };
+  const std::vector<std::size_t>& front = front_of(study, question);
+  std::vector<Rank> ranks;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto on_front = static_cast<std::size_t>(std::count_if(
+        lines[i].runs.begin(), lines[i].runs.end(),
+        [&](std::size_t run) { return std::find(front.begin(), front.end(), run) != front.end(); }));
+    ranks.push_back({i, on_front, handicap(study, lines[i], lines, question)});
+  }
+  std::stable_sort(ranks.begin(), ranks.end(), [](const Rank& a, const Rank& b) {
+    return a.on_front != b.on_front ? a.on_front > b.on_front : a.handicap < b.handicap;
+  });
+  std::set<std::size_t> chosen;
+  std::map<MethodFamily, std::size_t> members;
+  const auto choose = [&](const auto& wanted) {
+    for (const Rank& rank : ranks) {
+      const MethodFamily family = lines[rank.line].family;
+      if (chosen.size() == most || chosen.contains(rank.line) || !wanted(rank, members[family])) continue;
+      chosen.insert(rank.line);
+      ++members[family];
+    }
+  };
+  const std::size_t share = (most + 1) / 2;
+  choose([](const Rank&, std::size_t of_family) { return of_family == 0; });
+  choose([&](const Rank& rank, std::size_t of_family) { return rank.on_front > 0 && of_family < share; });
+  choose([&](const Rank&, std::size_t of_family) { return of_family < share; });
+  choose([](const Rank&, std::size_t) { return true; });
+  std::vector<StudyLine> result;
+  for (const std::size_t line : chosen) result.push_back(lines[line]);
+  return result;
+}
+
+}  // namespace plumb

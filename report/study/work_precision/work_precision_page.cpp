@@ -1,0 +1,342 @@
+#include "report/study/work_precision/work_precision_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/study/work_precision/cheapest.h"
+#include "report/page/page_template.h"
+#include "report/page/study_page.h"
+#include "report/study/work_precision/compared_lines.h"
+#include "report/study/work_precision/study_chart_data.h"
+#include "report/study/work_precision/work_precision_figures.h"
+#include "report/verdict/results.h"
+
+namespace plumb {
+
+extern const std::string_view study_mustache;
+extern const std::string_view study_css;
+extern const std::string_view study_js;
+extern const std::string_view study_js_sha256;
+extern const std::string_view chart_min_js;
+extern const std::string_view chart_min_js_sha256;
+
+namespace {
+
+using kainjow::mustache::data;
+
+constexpr std::size_t few_failures = 12;
+
+std::string number(double value) {
+  return value < 0 ? "–" : fmt::format("{:.3g}", value);
+}
+
+std::string count(long n) {
+  return n < 0 ? "–" : std::to_string(n);
+}
+
+std::string duration(double seconds) {
+  return seconds < 0 ? "not timed" : duration_in_words(seconds);
+}
+
+/// How much longer than the least the greatest repeat took.
+std::string spread(const StudyRun& run) {
+  if (run.seconds.size() < 2 || !(run.work_seconds() > 0)) return "–";
+  const double greatest = *std::max_element(run.seconds.begin(), run.seconds.end());
+  return fmt::format("+{:.0f} % of {}", 100 * (greatest / run.work_seconds() - 1), run.seconds.size());
+}
+
+/// The label of each run's curve.
+std::vector<std::string> labels_of(const WorkPrecision& study) {
+  std::vector<std::string> labels(study.runs.size());
+  for (const StudyCurve& curve : study.curves)
+    for (const std::size_t k : curve.runs) labels[k] = curve.label;
+  return labels;
+}
+
+data run_row(const WorkPrecision& study, const std::string& label, std::size_t index,
+             StudyQuestion question) {
+  const StudyRun& run = study.runs[index];
+  data row;
+  row["label"] = label;
+  row["elements"] = std::to_string(run.elements);
+  row["setting"] = run.setting();
+  row["seconds"] = duration(run.work_seconds());
+  row["spread"] = spread(run);
+  row["forces"] = count(run.counters.force_evaluations);
+  row["tangents"] = count(run.counters.tangent_evaluations);
+  row["error"] = number(errors_of(run, question).tip_max) + " m";
+  return row;
+}
+
+data picture_values(const Picture& picture, const std::string& more = "") {
+  data values;
+  values["uri"] = data_uri(picture.png);
+  values["alt"] = picture.alt;
+  values["file"] = picture.file;
+  values["caption"] = picture.title + "." + more;
+  return values;
+}
+
+std::string drawn_in_words(const WorkPrecision& study, StudyQuestion question) {
+  const std::size_t all = study_lines(study, question).size();
+  const std::size_t drawn = chosen_lines(study, question, most_drawn_curves).size();
+  std::string text = drawn < all ? fmt::format(
+                                       " At first, {} of {} are shown: the best of the front and of each "
+                                       "family.",
+                                       drawn, counted(static_cast<long>(all), "curve", "curves"))
+                                 : "";
+  text += fmt::format(
+      " The wide line is the Pareto front of what is shown. Crosses at the upper edge are runs that failed; "
+      "those in a circle are stable, but more than {:g} % "
+      "of "
+      "the length off.",
+      100 * wrong_beyond);
+  return text;
+}
+
+data question_values(const WorkPrecision& study, StudyQuestion question,
+                     const std::vector<Picture>& pictures) {
+  const bool time = question == StudyQuestion::time;
+  const std::string mesh = counted(study.fixed_elements, "element", "elements");
+  data values;
+  values["id"] = time ? "time" : "total";
+  values["title"] = time ? "How well is time integrated?" : "How close do method and mesh come together?";
+  values["intro"] =
+      time ? fmt::format(
+                 "The mesh is that of the case, {}, and the reference is the same mesh integrated "
+                 "exactly: what remains is the error of time integration alone.",
+                 mesh)
+           : "The reference is the solution that no longer depends on the mesh: methods and meshes compete. "
+             "Where a curve turns level, a shorter step gains nothing, as it is the mesh that errs.";
+  const CertifiedReference* reference = reference_of(study, question);
+  values["certified"] = reference != nullptr && reference->certified;
+  values["certificate"] = reference ? certificate_in_words(*reference) : "missing: no method gave one";
+  const Picture* picture = find_picture(pictures, time ? time_work_figure_name : total_work_figure_name);
+  if (picture) values.set("picture", picture_values(*picture, drawn_in_words(study, question)));
+  values["no_picture"] = any_compared(study, question)
+                             ? "The figure was not drawn."
+                             : "No run could be compared, so there is nothing to draw.";
+
+  const std::vector<std::string> labels = labels_of(study);
+  data cheapest{data::type::list};
+  for (const CheapestRun& entry : time ? study.time_cheapest : study.total_cheapest) {
+    data row = run_row(study, labels[entry.run], entry.run, question);
+    row["decade"] = fmt::format("1e{} m", std::lround(std::log10(entry.error)));
+    cheapest.push_back(row);
+  }
+  values["has_cheapest"] = !(time ? study.time_cheapest : study.total_cheapest).empty();
+  values.set("cheapest", cheapest);
+  data front{data::type::list};
+  std::size_t members = 0;
+  for (const std::size_t k : front_of(study, question)) {
+    if (fate_of(study, study.runs[k], question) != RunFate::good) continue;
+    front.push_back(run_row(study, labels[k], k, question));
+    ++members;
+  }
+  values["has_front"] = members > 0;
+  values["front_count"] = std::to_string(members);
+  values.set("front", front);
+  return values;
+}
+
+data order_rows(const WorkPrecision& study) {
+  data rows{data::type::list};
+  for (const StudyLine& line : study_lines(study, StudyQuestion::time)) {
+    const StudyCurve& curve = study.curves[line.curves.front()];
+    const ObservedOrder& seen = curve.observed;
+    data row;
+    row["label"] = line.label;
+    row["family"] = std::string(word(line.family));
+    row["stated"] = curve.stated_order;
+    row["observed"] =
+        seen.order < 0 ? "none seen" : fmt::format("{:.2f} ± {:.2f}", seen.order, seen.deviation);
+    row["part"] = seen.order < 0 ? "–"
+                                 : fmt::format("{} to {}", duration_in_words(seen.largest_step),
+                                               duration_in_words(seen.smallest_step));
+    row["ending"] = curve.ending + (curve.conspicuous ? " (flattens together with others)" : "");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string mesh_in_words(const MeshConvergence& mesh) {
+  std::string text = fmt::format(
+      "Each mesh integrated exactly, with the greatest distance of its tip over time to that of finer "
+      "ones. ");
+  if (mesh.observed_order > 0)
+    text += fmt::format(
+        "From the last three meshes the order is {:.2f}. Richardson's extrapolation puts the finest mesh, of "
+        "{}, "
+        "{:.2g} m from the continuum; its grid convergence index is {:.2g} m with a safety factor of {:g}",
+        mesh.observed_order, counted(mesh.elements.back(), "element", "elements"), mesh.extrapolated_error,
+        mesh.grid_convergence_index, mesh.safety_factor);
+  else
+    text += "The changes do not fall from mesh to mesh, so nothing can be extrapolated";
+  if (!mesh.standard.empty()) text += fmt::format(" ({})", mesh.standard);
+  return text + ".";
+}
+
+data mesh_values(const MeshConvergence& mesh, const std::vector<Picture>& pictures) {
+  data values;
+  values["words"] = mesh_in_words(mesh);
+  if (const Picture* picture = find_picture(pictures, mesh_figure_name))
+    values.set("mesh_picture", picture_values(*picture));
+  data rows{data::type::list};
+  for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+    data row;
+    row["elements"] = std::to_string(mesh.elements[k]);
+    const bool finest = k + 1 == mesh.elements.size();
+    row["distance"] = k < mesh.distance.size() && !finest ? number(mesh.distance[k]) : "–";
+    row["change"] = k < mesh.change.size() ? number(mesh.change[k]) : "–";
+    rows.push_back(row);
+  }
+  values.set("rows", rows);
+  return values;
+}
+
+/// Each run that failed, or is wrong in the eyes of either question.
+data failure_rows(const WorkPrecision& study, std::size_t& failures) {
+  const std::vector<std::string> labels = labels_of(study);
+  data rows{data::type::list};
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const StudyRun& run = study.runs[k];
+    std::string reason = trouble_of(study, run, StudyQuestion::time);
+    const std::string total = trouble_of(study, run, StudyQuestion::total);
+    const bool uncompared = run.completed() && fate_of(study, run, StudyQuestion::total) == RunFate::failed;
+    // A study without a converged reference says so once, not at every run.
+    if (reason.empty() && !(uncompared && !any_compared(study, StudyQuestion::total))) reason = total;
+    if (reason.empty()) continue;
+    data row;
+    row["label"] = labels[k];
+    row["elements"] = std::to_string(run.elements);
+    row["setting"] = run.setting();
+    row["outcome"] = std::string(word(run.outcome));
+    row["seconds"] = duration(run.work_seconds());
+    row["reason"] = reason;
+    rows.push_back(row);
+    ++failures;
+  }
+  return rows;
+}
+
+data reference_rows(const WorkPrecision& study) {
+  data rows{data::type::list};
+  const auto add = [&](const CertifiedReference& reference, bool converged) {
+    data row;
+    row["elements"] = std::to_string(reference.elements);
+    row["converged"] = converged;
+    row["first"] = reference.first;
+    row["second"] = reference.second;
+    row["agreement"] = number(reference.agreement);
+    row["smallest"] = number(reference.smallest_error);
+    row["floor"] = reference.floor > 0 ? number(reference.floor) : "–";
+    row["certified"] = reference.certified;
+    row["why_not"] = reference.certified ? "" : reference.why_not;
+    rows.push_back(row);
+  };
+  for (const CertifiedReference& reference : study.mesh_references) add(reference, false);
+  if (study.converged_reference.elements > 0) add(study.converged_reference, true);
+  return rows;
+}
+
+data floor_rows(const WorkPrecision& study) {
+  data rows{data::type::list};
+  for (const CommonFloor& floor : study.common_floors) {
+    std::string names;
+    for (const std::size_t c : floor.curves) names += (names.empty() ? "" : "; ") + study.curves[c].label;
+    data row;
+    row["text"] = fmt::format("{} all stop at {:.2g} m.", names, floor.error);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string summary(const WorkPrecision& study) {
+  const auto completed = std::count_if(study.runs.begin(), study.runs.end(),
+                                       [](const StudyRun& run) { return run.completed(); });
+  std::set<std::string> labels;
+  std::set<int> meshes;
+  for (const StudyCurve& curve : study.curves) {
+    labels.insert(curve.label);
+    meshes.insert(curve.elements);
+  }
+  std::string of_meshes;
+  for (const int mesh : meshes)
+    of_meshes += fmt::format("{}{}",
+                             of_meshes.empty()          ? ""
+                             : mesh == *meshes.rbegin() ? " and "
+                                                        : ", ",
+                             mesh);
+  return fmt::format(
+      "{}{} over {:.4g} s: {} of {} completed, {} on {} of {} elements. Work is the least time of the time "
+      "loop "
+      "over repeats, one run at a time on one core; an error is the greatest distance of the tip over time, "
+      "where nothing else is said.",
+      study.quick ? "A short study: " : "",
+      counted(static_cast<long>(labels.size()), "variant of a method", "variants of methods"), study.end,
+      completed, counted(static_cast<long>(study.runs.size()), "run", "runs"),
+      "each with several steps or tolerances", meshes.size() == 1 ? "a mesh" : "meshes", of_meshes);
+}
+
+}  // namespace
+
+std::string study_section(const WorkPrecision& study, const std::vector<Picture>& pictures) {
+  data values;
+  values["summary"] = summary(study);
+  values["fixed"] = counted(study.fixed_elements, "element", "elements");
+  values["has_floors"] = !study.common_floors.empty();
+  values["floors"] = floor_rows(study);
+  data questions{data::type::list};
+  for (const StudyQuestion question : {StudyQuestion::time, StudyQuestion::total})
+    questions.push_back(question_values(study, question, pictures));
+  values.set("questions", questions);
+  values["has_orders"] = !study_lines(study, StudyQuestion::time).empty();
+  values["orders"] = order_rows(study);
+  if (const Picture* picture = find_picture(pictures, order_figure_name))
+    values.set("order_picture", picture_values(*picture));
+  if (study.mesh && !study.mesh->elements.empty()) values.set("mesh", mesh_values(*study.mesh, pictures));
+  std::size_t failures = 0;
+  values["failures"] = failure_rows(study, failures);
+  values["has_failures"] = failures > 0;
+  values["few_failures"] = failures <= few_failures;
+  values["failure_count"] = counted(static_cast<long>(failures), "run", "runs");
+  values["has_references"] = !study.mesh_references.empty() || study.converged_reference.elements > 0;
+  values["references"] = reference_rows(study);
+  return fill_in(study_mustache, values);
+}
+
+std::string study_scripts(const WorkPrecision& study) {
+  return data_element("study-data", study_chart_data(study)) + script_element(chart_min_js) +
+         script_element(study_js);
+}
+
+std::string study_script_policy() {
+  return script_policy({chart_min_js_sha256, study_js_sha256});
+}
+
+std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures) {
+  const WorkPrecision& study = results.study.result;
+  StudyShell shell;
+  shell.title = study.title;
+  shell.subject = "speed against accuracy";
+  shell.headline = headline(results);
+  shell.good = results.any_completed() && all_passed(results.verdicts);
+  shell.sections = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
+  if (!study_lines(study, StudyQuestion::time).empty()) shell.sections.emplace_back("study-orders", "Orders");
+  if (study.mesh) shell.sections.emplace_back("study-mesh", "Mesh");
+  shell.sections.emplace_back("study-failures", "Failures");
+  shell.section = study_section(study, pictures);
+  shell.css = study_css;
+  shell.scripts = study_scripts(study);
+  shell.script_policy = study_script_policy();
+  shell.verdict_note =
+      "All are <strong>verification</strong>: of the references, and of each method's order where its curve "
+      "shows one.";
+  return study_shell(shell, results.verdicts, results.study.loaded.source, study.provenance, results.stages);
+}
+
+}  // namespace plumb

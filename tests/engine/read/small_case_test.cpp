@@ -1,0 +1,54 @@
+#include "tests/engine/small_case.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "engine/base/errors.h"
+
+namespace plumb {
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file.good()) << path;
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+CaseSource small_case() {
+  const std::string folder = PLUMB_TEST_DATA "/";
+  return {{"case.toml", text_of_file(folder + "small_case.toml")},
+          {},
+          {{"small_reference.toml", text_of_file(folder + "small_reference.toml")}}};
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+std::string refusal(const CaseSource& source) {
+  try {
+    load_case(source);
+    return "accepted";
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const UsageError& error) {
+    return std::string("usage: ") + error.what();
+  }
+}
+
+bool matches(const std::string& message, const std::string& expected) {
+  const std::string anything = "…";
+  const std::size_t at = expected.find(anything);
+  if (at == std::string::npos) return message == expected;
+  const std::string begin = expected.substr(0, at), end = expected.substr(at + anything.size());
+  return message.size() >= begin.size() + end.size() && message.starts_with(begin) && message.ends_with(end);
+}
+
+TEST(SmallCase, IsAccepted) {
+  EXPECT_EQ(refusal(small_case()), "accepted");
+}
+
+}  // namespace plumb

@@ -1,0 +1,181 @@
+#include "engine/study/economy/model_selection.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/errors.h"
+#include "engine/integrate/state_at.h"
+#include "engine/study/economy/candidates.h"
+#include "engine/study/economy/economy_json.h"
+#include "engine/study/economy/economy_scenes.h"
+#include "tests/engine/pendulum.h"
+#include "tests/engine/small_case.h"
+
+namespace plumb {
+namespace choose_rung_test {
+
+/// Seen along Z by parallel rays, so many pixels to a metre; the tip alone.
+MakeGauge tips_along_z(double pixels_per_metre, double frame_rate) {
+  return [=](const Trajectory& truth) -> PictureErrors {
+    return [&truth, pixels_per_metre, frame_rate](const Trajectory& drawn) {
+      std::vector<double> errors;
+      for (double t = 0; t <= truth.times.back() + 1e-9; t += 1 / frame_rate) {
+        const double at = std::min(t, truth.times.back());
+        const Eigen::VectorXd a = state_at(drawn, at).q, b = state_at(truth, at).q;
+        errors.push_back(pixels_per_metre * (a.tail<6>().head<2>() - b.tail<6>().head<2>()).norm());
+      }
+      return errors;
+    };
+  };
+}
+
+Case scene_of(double end, double tolerance) {
+  Case spec = pendulum(5, 4);
+  spec.method.name = scene_method;
+  spec.time = {end, 0.04};
+  spec.scene.tolerance = tolerance;
+  return spec;
+}
+
+/// The truth: twice as fine as anything that the tests choose.
+double true_error(const Case& spec, const Rung& rung, const MakeGauge& gauge) {
+  Rung fine = cable_rung(spec, 32);
+  fine.method = plain_method(*find_method("rk4"));
+  fine.method.step = *cable_rung(spec, 32).method.step;
+  const Trajectory truth = integrate(with_rung(spec, fine));
+  const std::vector<double> errors = gauge(truth)(integrate(with_rung(spec, rung)));
+  return *std::max_element(errors.begin(), errors.end());
+}
+
+TEST(ChooseRung, TakesFinerRungsForFinerPicturesAndMeetsTheToleranceWithEach) {
+  const Case spec = scene_of(0.6, 0.5);
+  double work = 0;
+  for (const double pixels_per_metre : {50.0, 400.0, 3000.0}) {
+    const MakeGauge gauge = tips_along_z(pixels_per_metre, 25);
+    const Economy economy = choose_rung(spec, gauge);
+    ASSERT_TRUE(economy.holds) << economy.uncertain;
+    const TriedRung& choice = *economy.choice();
+    const double error = true_error(spec, choice.rung, gauge);
+    EXPECT_LE(error, 0.5) << in_words(choice.rung);
+    EXPECT_LE(error, economy_safety * choice.estimate) << in_words(choice.rung);
+    EXPECT_GE(choice.rung.work, work) << in_words(choice.rung);
+    EXPECT_LT(economy.search_work, economy.safe_work);
+    work = choice.rung.work;
+  }
+}
+
+TEST(ChooseRung, TakesTheCheapestThatHoldsOfAllThatItTried) {
+  const Economy economy = choose_rung(scene_of(0.6, 0.5), tips_along_z(400, 25));
+  for (int k = 0; k < economy.chosen; ++k) {
+    const TriedRung& cheaper = economy.tried[static_cast<std::size_t>(k)];
+    EXPECT_LE(cheaper.rung.work, economy.choice()->rung.work);
+    EXPECT_TRUE(cheaper.why.starts_with("left: ")) << cheaper.why;
+    if (cheaper.estimate >= 0) {
+      EXPECT_GT(economy_safety * cheaper.estimate, 0.5) << in_words(cheaper.rung);
+    }
+  }
+}
+
+TEST(ChooseRung, ChoosesTheSameEveryTime) {
+  const Case spec = scene_of(0.4, 0.5);
+  const Economy a = choose_rung(spec, tips_along_z(400, 25)), b = choose_rung(spec, tips_along_z(400, 25));
+  ASSERT_EQ(a.tried.size(), b.tried.size());
+  EXPECT_EQ(a.chosen, b.chosen);
+  for (std::size_t k = 0; k < a.tried.size(); ++k) {
+    EXPECT_EQ(in_words(a.tried[k].rung), in_words(b.tried[k].rung));
+    EXPECT_EQ(a.tried[k].estimate, b.tried[k].estimate);
+  }
+}
+
+TEST(ChooseRung, TakesTheRigidRodWhereTheCableHardlyBends) {
+  Case spec = scene_of(0.4, 0.5);
+  spec.cable.youngs_modulus = 1e9;
+  spec.cable.second_moment = 1e-8;
+  const Economy economy = choose_rung(spec, tips_along_z(300, 25));
+  ASSERT_TRUE(economy.holds) << economy.uncertain;
+  EXPECT_EQ(economy.choice()->rung.cable.model, CableModel::rigid) << in_words(economy.choice()->rung);
+  EXPECT_EQ(economy.chosen, 0);
+}
+
+TEST(ChooseRung, TakesNoRodWhereThereIsNone) {
+  Case spec = scene_of(0.2, 50);
+  for (Support& end : {std::ref(spec.supports.last), std::ref(spec.supports.first)}) {
+    end = Support::clamped;
+    for (const Rung& rung : ladder(spec, 1e12)) EXPECT_NE(rung.cable.model, CableModel::rigid);
+  }
+}
+
+TEST(ChooseRung, SaysWhatIsUncertainWhereNothingHolds) {
+  const Economy economy = choose_rung(scene_of(0.3, 1e-9), tips_along_z(4000, 25));
+  EXPECT_FALSE(economy.holds);
+  ASSERT_NE(economy.choice(), nullptr);
+  EXPECT_NE(economy.uncertain.find("where the cable is"), std::string::npos) << economy.uncertain;
+  EXPECT_LE(economy.search_work, economy.safe_work);
+}
+
+TEST(ChooseRung, RefusesWhatDoesNotMoveOrIsNoCable) {
+  Case spec = scene_of(0.3, 0.5);
+  spec.method.name = "statics";
+  EXPECT_THROW(choose_rung(spec, tips_along_z(100, 25)), InputError);
+  spec = scene_of(0.3, 0.5);
+  spec.cable.model = CableModel::chain;
+  EXPECT_THROW(choose_rung(spec, tips_along_z(100, 25)), InputError);
+}
+
+TEST(ChooseRung, OutputsAreWhereFramesAreAndWhereReferencesNeedThem) {
+  Case spec = scene_of(1, 0.5);
+  spec.time.output_interval = 0.01;
+  EXPECT_EQ(scene_output_interval(spec), 0.04);
+  spec.figures.emplace_back();
+  EXPECT_NEAR(scene_output_interval(spec), 0.01, 1e-15);
+  spec.time.output_interval = 0.03;
+  EXPECT_NEAR(scene_output_interval(spec), 0.02, 1e-15);
+}
+
+TEST(ChooseRung, TheOverridesOfARungMakeItOfTheFile) {
+  const LoadedCase loaded = load_case(small_case());
+  for (const Rung& rung : ladder(loaded.spec, 1e9)) {
+    CaseSource source = small_case();
+    for (const std::string& text : rung_overrides(loaded.spec, rung)) source.overrides.push_back(text);
+    const Case made = load_case(source).spec, meant = with_rung(loaded.spec, rung);
+    EXPECT_EQ(made.method, meant.method) << in_words(rung);
+    EXPECT_EQ(made.cable.elements, meant.cable.elements);
+    EXPECT_EQ(made.cable.model, meant.cable.model);
+    EXPECT_EQ(made.cable.second_moment, meant.cable.second_moment);
+    EXPECT_EQ(made.time, meant.time);
+  }
+}
+
+TEST(Choice, IsReadBackForTheSameCaseAndNoOther) {
+  const Economy economy = choose_rung(scene_of(0.2, 0.5), tips_along_z(400, 25));
+  const CaseSource source = small_case();
+  CaseSource made = source;
+  made.overrides = {"cable.elements=3"};
+  const std::string text = encode_choice(economy, choice_key(source), made);
+  const std::optional<Economy> again = decode_choice(text, choice_key(source));
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->chosen, economy.chosen);
+  EXPECT_EQ(again->choice()->rung.cable, economy.choice()->rung.cable);
+  EXPECT_EQ(again->choice()->rung.method, economy.choice()->rung.method);
+  EXPECT_EQ(economy_json(*again), economy_json(economy));
+  EXPECT_TRUE(decode_choice_made(text, made).has_value());
+  EXPECT_FALSE(decode_choice_made(text, source).has_value());
+  EXPECT_FALSE(decode_choice(text, choice_key(made)).has_value());
+  CaseSource other = source;
+  other.file.text += "\n";
+  EXPECT_FALSE(decode_choice(text, choice_key(other)).has_value()) << "the text is another";
+  EXPECT_FALSE(decode_choice(text.substr(0, text.size() / 2), choice_key(source)).has_value());
+  EXPECT_FALSE(decode_choice("{}", choice_key(source)).has_value());
+}
+
+TEST(RandomScenes, DependOnTheSeedAndTheirNumberAlone) {
+  const Case spec = load_case(small_case()).spec;
+  EXPECT_EQ(scene_overrides(spec, 1, 7), scene_overrides(spec, 1, 7));
+  EXPECT_NE(scene_overrides(spec, 1, 7), scene_overrides(spec, 1, 8));
+  EXPECT_NE(scene_overrides(spec, 1, 7), scene_overrides(spec, 2, 7));
+}
+
+}  // namespace choose_rung_test
+}  // namespace plumb

@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/study/variants/run_variants.h"
+
+namespace plumb {
+namespace failure_cases_test {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> failure_cases() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(PLUMB_SOURCE_DIR) / "cases/failure"))
+    if (entry.path().extension() == ".toml" && !load_case(entry.path().string()).spec.variants.empty())
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class FailureCase : public testing::TestWithParam<std::string> {};
+
+TEST_P(FailureCase, EveryVariantEndsAsExpectedWithItsFigures) {
+  const fs::path path = fs::path(PLUMB_SOURCE_DIR) / "cases/failure" / (GetParam() + ".toml");
+  const VariantsStudy study = run_variants(load_case(path.string()));
+  EXPECT_FALSE(study.result.variants.empty());
+  for (const VariantResult& variant : study.result.variants) {
+    EXPECT_TRUE(variant.outcome_met())
+        << variant.spec.name << ": expected " << variant.spec.outcome << ", found "
+        << word(variant.trajectory.outcome) << ": " << variant.trajectory.message;
+    for (const ExpectationFound& figure : variant.expectations)
+      EXPECT_TRUE(figure.met()) << fmt::format("{}: {} = {:.10g} {}, expected {:.10g} ± {:g}",
+                                               variant.spec.name, figure.expected.quantity, figure.found,
+                                               figure.unit, figure.expected.value, figure.expected.within);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FailureCase, testing::ValuesIn(failure_cases()),
+                         [](const testing::TestParamInfo<std::string>& one) { return one.param; });
+
+}  // namespace failure_cases_test
+}  // namespace plumb

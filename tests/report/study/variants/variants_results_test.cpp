@@ -1,0 +1,138 @@
+#include "report/study/variants/variants_results.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "report/study/variants/variants_figures.h"
+#include "report/study/variants/variants_page.h"
+#include "tests/report/made_run.h"
+
+namespace plumb {
+namespace variants_results_test {
+
+VariantResult made(const std::string& name, Outcome outcome, double end) {
+  VariantResult variant;
+  variant.spec.name = name;
+  variant.spec.overrides = {"method.step=" + name};
+  variant.spec.outcome = "unstable";
+  variant.run = run_with("made").loaded.spec;
+  Trajectory& t = variant.trajectory;
+  t.outcome = outcome;
+  t.message = outcome == Outcome::completed ? "" : "it grew <and> grew";
+  t.end_time = end;
+  t.times = {0, end};
+  t.energies = {{2, 0, 0, 0}, {3, 0, 0, 0}};
+  variant.probes.times = t.times;
+  variant.probes.columns = {{"tip.x", "m", {1, 2}}};
+  variant.expectations = {{{"end-time", "", 1.2, 0.05, "a closed form"}, "s", end}};
+  variant.spec.expectations = {variant.expectations[0].expected};
+  return variant;
+}
+
+VariantsStudy study_of(std::vector<VariantResult> variants) {
+  return {run_with("made").loaded, {"Made", std::move(variants), {{"program", "test"}}}};
+}
+
+TEST(VariantsResults, AFailureThatIsExpectedPassesAndOneThatIsNotFails) {
+  const VariantsStudy study =
+      study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.3),
+                made("0.3", Outcome::completed, 1.2)});
+  const VariantsResults results = evaluate_variants(study, {});
+  ASSERT_EQ(results.verdicts.size(), 3U);
+  EXPECT_EQ(results.verdicts[0].status, VerdictStatus::passed) << results.verdicts[0].message;
+  EXPECT_EQ(results.verdicts[1].status, VerdictStatus::failed) << "its figure is off";
+  EXPECT_EQ(results.verdicts[2].status, VerdictStatus::failed) << "its outcome is another";
+  EXPECT_EQ(results.verdicts[0].kind, VerdictKind::verification);
+  EXPECT_NEAR(results.verdicts[0].value, 0.2, 1e-12);
+  EXPECT_EQ(results.verdicts[0].criterion, "unstable; end-time = 1.200 ± 0.05 s");
+  EXPECT_EQ(headline(results), "3 variants: 1 completed, 2 unstable. Not as expected: \"0.2\", \"0.3\".");
+}
+
+TEST(VariantsResults, ANumberThatIsMissingFails) {
+  VariantResult variant = made("0.1", Outcome::unstable, 1.2);
+  variant.expectations[0].found = std::numeric_limits<double>::quiet_NaN();
+  const VariantsStudy study = study_of({variant});
+  const VariantsResults results = evaluate_variants(study, {});
+  EXPECT_EQ(results.verdicts.at(0).status, VerdictStatus::failed);
+  EXPECT_NE(results.verdicts[0].message.find("end-time = none"), std::string::npos);
+}
+
+TEST(VariantsResults, MessageMustSayWhatIsExpectedOfIt) {
+  VariantResult variant = made("0.1", Outcome::unstable, 1.2);
+  variant.spec.says = "limit point";
+  EXPECT_FALSE(variant.met());
+  variant.spec.says = "grew";
+  EXPECT_TRUE(variant.met());
+}
+
+TEST(VariantsResults, WhatNothingIsExpectedOfHasNoVerdict) {
+  VariantResult variant = made("0.1", Outcome::completed, 1);
+  variant.spec.outcome.clear();
+  variant.spec.expectations.clear();
+  variant.expectations.clear();
+  const VariantsStudy study = study_of({variant});
+  const VariantsResults results = evaluate_variants(study, {});
+  EXPECT_TRUE(results.verdicts.empty());
+  EXPECT_NE(headline(results).find("nothing is claimed"), std::string::npos);
+}
+
+TEST(VariantsResults, NumbersHaveTheDigitsOfTheirMargin) {
+  EXPECT_EQ(with_margin(1.2, 0.05), "1.200 ± 0.05");
+  EXPECT_EQ(with_margin(1.208398131108, 1e-9), "1.2083981311 ± 1e-09");
+  EXPECT_EQ(with_margin(0, 1e-14), "0 ± 1e-14");
+  EXPECT_EQ(to_margin(9.1e-15, 1e-10), "9.1e-15") << "what is within the margin of 0";
+  EXPECT_EQ(to_margin(93.2, 20), "93");
+}
+
+TEST(VariantsResults, JunitHasATestCaseForEachWithWhatWasExpectedAndFound) {
+  const VariantsStudy study =
+      study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.3)});
+  const std::string xml = to_junit(evaluate_variants(study, {}));
+  EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("expected: unstable; end-time = 1.200 ± 0.05 s; found: unstable; end-time = 1.300 s"),
+            std::string::npos)
+      << xml;
+}
+
+TEST(VariantsResults, JsonHasEveryFigure) {
+  const VariantsStudy study = study_of({made("0.1", Outcome::unstable, 1.21)});
+  const auto json = nlohmann::json::parse(to_json(evaluate_variants(study, {})));
+  EXPECT_EQ(json["all_criteria_met"], true);
+  const auto& variant = json["variants"][0];
+  EXPECT_EQ(variant["solve"]["outcome"], "unstable");
+  EXPECT_EQ(variant["figures"][0]["found"], 1.21);
+  EXPECT_EQ(variant["figures"][0]["expected"], 1.2);
+  EXPECT_EQ(variant["figures"][0]["source"], "a closed form");
+}
+
+TEST(VariantsPage, ShowsEachVariantWithItsFiguresAndEscapesWhatTheySay) {
+  VariantResult variant = made("0.1", Outcome::unstable, 1.21);
+  variant.spec.reason = "<script>";
+  const VariantsStudy study = study_of({variant});
+  const std::string page =
+      to_variants_page(evaluate_variants(study, {}), {{"figures/a.png", "Energy", "Alt", false, "P"}});
+  for (const char* text : {"method.step=0.1", "it grew &lt;and&gt; grew", "a closed form", "±0.05",
+                           "&lt;script&gt;", "data:image/png;base64,UA==", "1.21"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+}
+
+TEST(VariantsFigures, HaveALineAVariantAndACrossWhereOneEndedEarly) {
+  const VariantsStudy study =
+      study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::completed, 2)});
+  const std::vector<Figure> figures = variants_figures(study.result);
+  ASSERT_EQ(figures.size(), 2U);
+  const std::vector<Series>& series = figures[0].plot.panels.at(0).series;
+  ASSERT_EQ(series.size(), 3U);
+  EXPECT_EQ(series[0].y, (std::vector<double>{0, 0.5})) << "over the first kinetic energy";
+  EXPECT_EQ(series[1].marker, Marker::cross);
+  EXPECT_EQ(series[1].x, std::vector<double>{1.21});
+  EXPECT_EQ(figures[1].plot.panels.at(0).y.label, "tip.x [m]");
+}
+
+}  // namespace variants_results_test
+}  // namespace plumb

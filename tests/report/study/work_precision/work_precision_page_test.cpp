@@ -1,0 +1,195 @@
+#include "report/study/work_precision/work_precision_page.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "report/base/base64.h"
+#include "report/page/page.h"
+#include "report/study/work_precision/study_chart_data.h"
+#include "report/study/work_precision/work_precision_figures.h"
+#include "report/verdict/results.h"
+#include "tests/report/study/work_precision/made_study.h"
+
+namespace plumb {
+namespace study_page_test {
+
+// Stand-ins of one byte for the drawn figures.
+std::vector<Picture> pictures(const WorkPrecision& study) {
+  std::vector<Picture> result;
+  for (const Figure& figure : study_figures(study))
+    result.push_back({"figures/" + figure.name + ".png", figure.title, figure.alt, false, "P"});
+  return result;
+}
+
+std::string page_of(const WorkPrecision& result) {
+  const Study study{run_with("made").loaded, result};
+  return to_study_page(evaluate_study(study, {}), pictures(result));
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++found;
+  return found;
+}
+
+nlohmann::json data_in(const std::string& page) {
+  const std::string open = "<script type=\"application/json\" id=\"study-data\">";
+  const std::size_t from = page.find(open) + open.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+// A page without what Chart.js says for itself.
+std::string without_chart_js(std::string page) {
+  const std::size_t from = page.find("<script>", page.find("study-data"));
+  return page.erase(from, page.find("</script>", from) - from);
+}
+
+TEST(StudyPage, DataOfTheChartsAreTheResults) {
+  const WorkPrecision study = made_study();
+  const nlohmann::json json = data_in(page_of(study));
+  ASSERT_EQ(json["runs"].size(), study.runs.size());
+  for (std::size_t k = 0; k < study.runs.size(); ++k) {
+    const StudyRun& run = study.runs[k];
+    const nlohmann::json& shown = json["runs"][k];
+    EXPECT_EQ(shown["elements"], run.elements);
+    EXPECT_EQ(shown["outcome"], word(run.outcome));
+    EXPECT_EQ(shown["message"], run.message);
+    EXPECT_EQ(shown["seconds"], run.seconds);
+    for (const ErrorNorm norm : error_norm_list) {
+      const std::string name(word(norm));
+      if (run.completed()) {
+        EXPECT_EQ(shown["time"][name], value(run.time_error, norm)) << k << " " << name;
+        EXPECT_EQ(shown["total"][name], value(run.total_error, norm)) << k << " " << name;
+      } else {
+        EXPECT_TRUE(shown["time"][name].is_null()) << "what was not taken is not a number";
+      }
+    }
+    EXPECT_TRUE(shown["counters"]["tangent_evaluations"].is_null()) << "what was not counted is not 0";
+  }
+  ASSERT_EQ(json["curves"].size(), study.curves.size());
+  for (std::size_t c = 0; c < study.curves.size(); ++c)
+    EXPECT_EQ(json["curves"][c]["runs"], study.curves[c].runs);
+  EXPECT_EQ(json["front"]["time"], study.time_front);
+  EXPECT_EQ(json["front"]["total"], study.total_front);
+  EXPECT_EQ(json["floor"]["time"]["value"], study.mesh_references[0].floor);
+}
+
+TEST(StudyPage, HasBothChartsWithTheDrawnPictureForPagesWithoutScripts) {
+  const std::string page = page_of(made_study());
+  for (const char* question : {"time", "total"}) {
+    const std::size_t figure = page.find(std::string("data-question=\"") + question + "\"");
+    ASSERT_NE(figure, page.npos) << question;
+    const std::string inner = page.substr(figure, page.find("</figure>", figure) - figure);
+    EXPECT_NE(inner.find("<img src=\"data:image/png;base64,UA==\" alt=\"Plot on logarithmic axes"),
+              inner.npos);
+    EXPECT_NE(inner.find("<div class=\"chart-box screen\" hidden><canvas"), inner.npos)
+        << "hidden until a script shows it";
+    EXPECT_NE(inner.find("<div class=\"chart-controls screen\" hidden>"), inner.npos);
+  }
+}
+
+TEST(StudyPage, PolicyAllowsJustItsOwnScripts) {
+  const std::string page = page_of(made_study());
+  const std::size_t at = page.find("Content-Security-Policy");
+  ASSERT_NE(at, page.npos);
+  const std::string policy = page.substr(at, page.find('>', at) - at);
+  EXPECT_NE(policy.find("default-src 'none'"), policy.npos) << policy;
+  const std::size_t scripts = policy.find("script-src");
+  ASSERT_NE(scripts, policy.npos) << policy;
+  EXPECT_EQ(policy.find("unsafe", scripts), policy.npos) << policy;
+  const std::regex hash("'sha256-[A-Za-z0-9+/]{43}='");
+  EXPECT_EQ(std::distance(std::sregex_iterator(policy.begin(), policy.end(), hash), std::sregex_iterator()),
+            2);
+  EXPECT_EQ(count(page, "<script"), 3U) << "the data and two scripts";
+  EXPECT_EQ(count(page, "</script"), 3U);
+}
+
+TEST(StudyPage, AsksNothingOfAnywhere) {
+  const std::string page = without_chart_js(page_of(made_study()));
+  for (const char* word : {"https://", "src=\"http", "href=\"http", "src=\"/", "@import", "url(", "fetch(",
+                           "XMLHttpRequest", "sourceMappingURL"})
+    EXPECT_EQ(page.find(word), page.npos) << word;
+}
+
+TEST(StudyPage, EscapesWhatLabelsAndMessagesSay) {
+  const std::string evil = "</script><script>alert(\"1\")</script><!-- & '";
+  MadeStudy made;
+  made.curve(evil, MethodFamily::structural, 4, 2, 1, 1e-6).failed(Outcome::unstable, evil);
+  WorkPrecision study = made.judged();
+  study.title = evil;
+  study.converged_reference.why_not = evil;
+  study.converged_reference.certified = false;
+  study.common_floors = {{1e-5, {0, 0, 0}}};
+  const std::string page = page_of(study);
+  EXPECT_EQ(count(page, "<script"), 3U);
+  EXPECT_EQ(count(page, "</script"), 3U);
+  EXPECT_EQ(without_chart_js(page).find("<!--"), page.npos);
+  EXPECT_EQ(page.find("alert(\"1\")"), page.npos);
+  EXPECT_EQ(data_in(page)["curves"][0]["label"], evil);
+  EXPECT_EQ(data_in(page)["runs"][5]["message"], evil);
+}
+
+TEST(StudyPage, LeavesNoTemplateTagBehind) {
+  for (const WorkPrecision& study : {made_study(), MadeStudy().judged(), WorkPrecision{}}) {
+    const std::string page = page_of(study);
+    const std::string body = page.substr(0, page.find("<script"));
+    EXPECT_EQ(body.find("{{"), body.npos);
+    EXPECT_EQ(body.find("}}"), body.npos);
+    EXPECT_FALSE(std::regex_search(body, std::regex("\\bnan\\b")));
+  }
+}
+
+TEST(StudyPage, ShowsEveryTableOfAStudy) {
+  const std::string page = page_of(made_study());
+  for (const char* text :
+       {"The cheapest method for each decade", "no run is both cheaper and closer", "4.00 ± 0.00",
+        "grid convergence index is 0.00031 m with a safety factor of 1.25 (made standard)",
+        "it grew at 0.25 s", "stable but wrong: 1 m off", "test data", "Held against",
+        "<th scope=\"col\">Verdict</th>"})
+    EXPECT_NE(page.find(text), page.npos) << text;
+}
+
+TEST(StudyPage, CheapestTableHasARowForEachDecade) {
+  const WorkPrecision study = made_study();
+  const std::string page = page_of(study);
+  ASSERT_FALSE(study.time_cheapest.empty());
+  EXPECT_EQ(count(page, "<th scope=\"row\" class=\"n\">1e-"),
+            study.time_cheapest.size() + study.total_cheapest.size());
+}
+
+TEST(StudyPage, SaysWhereNothingCouldBeCompared) {
+  WorkPrecision study = made_study();
+  for (StudyRun& run : study.runs) run.total_error = {};
+  study.converged_reference.agreement = -1;
+  evaluate(study);
+  const std::string page = page_of(study);
+  EXPECT_EQ(count(page, "class=\"study-chart\""), 1U);
+  EXPECT_NE(page.find("No run could be compared, so there is nothing to draw."), page.npos);
+}
+
+TEST(StudyPage, IsAPartOfThePageOfARun) {
+  const plumb::Run run = run_with("a");
+  const Study study = made_study_of_a_case();
+  Pictures drawn;
+  drawn.study = pictures(study.result);
+  const std::string page = to_page(document_of(evaluate(run, {}, &study), drawn), drawn);
+  EXPECT_EQ(count(page, "class=\"study-chart\""), 2U);
+  EXPECT_EQ(count(page, "id=\"study-data\""), 1U);
+  EXPECT_NE(page.find("script-src 'sha256-"), page.npos);
+  EXPECT_NE(page.find("href=\"#study\""), page.npos);
+  const std::string without = to_page(document_of(evaluate(run, {}), {}), {});
+  EXPECT_EQ(count(page, "<script"), count(without, "<script") + 2) << "its data and its script";
+  EXPECT_EQ(without.find("id=\"study-data\""), without.npos);
+}
+
+TEST(EscapeJson, LeavesTheValuesAsTheyWere) {
+  const nlohmann::json json = {{"a", "<!-- </script> & \u2028"}, {"b", 1.5}};
+  const std::string escaped = escape_json_for_html(json.dump());
+  EXPECT_EQ(escaped.find_first_of("<>&"), escaped.npos);
+  EXPECT_EQ(nlohmann::json::parse(escaped), json);
+}
+
+}  // namespace study_page_test
+}  // namespace plumb
