@@ -130,9 +130,16 @@ class Worker {
 
 }  // namespace
 
-std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs) {
+void run_in_processes(const WorkerJobs& jobs) {
   constexpr int look_every = 50;  // ms
   std::vector<std::vector<JobLine>> lines(jobs.lines.size());
+  std::vector<std::size_t> given(jobs.lines.size());
+  const auto give = [&](std::size_t job) {
+    for (std::size_t& k = given[job]; k < lines[job].size(); ++k) {
+      jobs.take(job, k, lines[job][k]);
+      lines[job][k].text.clear();
+    }
+  };
   std::deque<Part> waiting;
   for (std::size_t job = 0; job < jobs.lines.size(); ++job)
     if (jobs.lines[job] > 0) waiting.push_back({job, 0});
@@ -146,6 +153,7 @@ std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs) {
     if (hung) fault = fmt::format("hung: nothing for {:g} s", jobs.longest_silence);
     if (fault.empty()) fault = "ended early";
     of_job.push_back({"", fault});
+    give(worker.job());
     if (of_job.size() < jobs.lines[worker.job()]) waiting.push_front({worker.job(), of_job.size()});
   };
   while (!waiting.empty() || !workers.empty()) {
@@ -167,6 +175,7 @@ std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs) {
     for (auto worker = workers.begin(); worker != workers.end(); ++k) {
       const bool ended = files[k].revents != 0 && !worker->read(lines[worker->job()]);
       const bool hung = !ended && worker->silence() > jobs.longest_silence;
+      give(worker->job());
       if (ended || hung) {
         finished(*worker, hung);
         worker = workers.erase(worker);
@@ -174,13 +183,7 @@ std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs) {
         ++worker;
       }
     }
-    if (jobs.progress) {
-      std::size_t done = 0;
-      for (const auto& of_job : lines) done += of_job.size();
-      jobs.progress(done);
-    }
   }
-  return lines;
 }
 
 }  // namespace plumb

@@ -23,12 +23,13 @@ struct WorkerJobs {
   /// Gives the lines of a job from the `first` one on, in order. Runs in the job's own process.
   std::function<void(std::size_t job, std::size_t first, const TakeLine& take)> work;
   double longest_silence = 0;  ///< a job that gives no line for this long hangs and is ended, s
-  std::function<void(std::size_t lines_done)> progress;  ///< may be empty
+  /// Takes each line as it comes, those of a job in their order.
+  std::function<void(std::size_t job, std::size_t line, const JobLine& what)> take;
 };
 
-/// The lines of each job. Where a process crashes, hangs or ends early, that line has the fault and another
-/// process goes on with the next. Throws Interrupted if the user stops it, and OutputError where not
+/// Does the jobs. Where a process crashes, hangs or ends early, that line has the fault and another process
+/// goes on with the next. Throws Interrupted if the user stops it, and OutputError where not
 /// even one process can be started; no process outlives the call. To be called where no other thread runs.
-std::vector<std::vector<JobLine>> run_in_processes(const WorkerJobs& jobs);
+void run_in_processes(const WorkerJobs& jobs);
 
 }  // namespace plumb

@@ -25,6 +25,7 @@ enum class Outcome {
 
 /// Every outcome, in the order above.
 std::span<const Outcome> outcomes();
+inline std::span<const Outcome> enum_values(Outcome) { return outcomes(); }
 
 /// "not-run", "completed", "accurate", "inaccurate", "unstable", "diverged", "no-convergence", "singular",
 /// "unstable-equilibrium", "out-of-time".

@@ -1,25 +1,30 @@
 #include "engine/run/method_json.h"
 
-#include <nlohmann/json.hpp>
+#include "engine/base/codec.h"
 
 namespace plumb {
+namespace {
 
-nlohmann::json method_to_json(const MethodSpec& method) {
-  nlohmann::json json{{"name", method.name}, {"parameters", method.parameters}};
-  if (method.step) json["step"] = *method.step;
-  if (method.rtol) json["rtol"] = *method.rtol;
-  if (method.atol) json["atol"] = *method.atol;
-  return json;
+template <class Archive>
+void members_of_method(Archive& a, MethodSpec& method) {
+  a("name", method.name);
+  a("parameters", method.parameters);
+  a("step", method.step);
+  a("rtol", method.rtol);
+  a("atol", method.atol);
 }
 
-MethodSpec method_from_json(const nlohmann::json& json) {
-  MethodSpec method;
-  method.name = json.at("name");
-  method.parameters = json.at("parameters").get<std::map<std::string, double>>();
-  if (json.contains("step")) method.step = json.at("step").get<double>();
-  if (json.contains("rtol")) method.rtol = json.at("rtol").get<double>();
-  if (json.contains("atol")) method.atol = json.at("atol").get<double>();
-  return method;
+}  // namespace
+
+nlohmann::ordered_json to_stored(const MethodSpec& method) {
+  ObjectWriter writer;
+  members_of_method(writer, const_cast<MethodSpec&>(method));  // which only reads
+  return writer.json;
+}
+
+void from_stored(const nlohmann::ordered_json& json, MethodSpec& method) {
+  ObjectReader reader(json);
+  members_of_method(reader, method);
 }
 
 }  // namespace plumb

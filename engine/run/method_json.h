@@ -6,8 +6,9 @@
 
 namespace plumb {
 
-/// A method as journals and study files keep it. Reading throws nlohmann's exceptions.
-nlohmann::json method_to_json(const MethodSpec& method);
-MethodSpec method_from_json(const nlohmann::json& json);
+/// A method as journals and study files keep it: name, parameters, and step or tolerances where it has them.
+/// Reading throws nlohmann's exceptions.
+nlohmann::ordered_json to_stored(const MethodSpec& method);
+void from_stored(const nlohmann::ordered_json& json, MethodSpec& method);
 
 }  // namespace plumb

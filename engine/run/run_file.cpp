@@ -38,12 +38,6 @@ constexpr const char* multipliers_path = "constraints/multipliers";
 constexpr const char* shortest_cut_path = "shortest_cut";
 constexpr const char* drift_path = "constraints/drift";
 
-const std::pair<const char*, double Energies::*> energy_parts[] = {
-    {"energy/kinetic", &Energies::kinetic},
-    {"energy/axial", &Energies::axial},
-    {"energy/bending", &Energies::bending},
-    {"energy/potential", &Energies::potential}};
-
 void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   const hsize_t outputs = trajectory.times.size();
   const auto nodes = static_cast<hsize_t>(trajectory.elements + 1);
@@ -64,10 +58,10 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
         for (int k = 0; k < 3; ++k) values.push_back(state[6 * node + field.offset + k]);
     file.numbers(field.path, {outputs, nodes, 3}, values.data(), field.unit);
   }
-  for (const auto& [path, part] : energy_parts) {
+  for (const auto& [name, part] : stored_energies()) {
     values.clear();
     for (const Energies& e : trajectory.energies) values.push_back(e.*part);
-    file.numbers(path, {outputs}, values.data(), "J");
+    file.numbers(fmt::format("energy/{}", name), {outputs}, values.data(), "J");
   }
   for (const auto& [name, part] : stored_counters())
     file.integer(fmt::format("counters/{}", name), trajectory.counters.*part);
@@ -143,8 +137,8 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
         for (int k = 0; k < 3; ++k) state[6 * node + field.offset + k] = *value++;
   }
   result.energies.resize(outputs);
-  for (const auto& [path, part] : energy_parts) {
-    const std::vector<double> values = file.numbers(path, {outputs});
+  for (const auto& [name, part] : stored_energies()) {
+    const std::vector<double> values = file.numbers(fmt::format("energy/{}", name), {outputs});
     for (std::size_t k = 0; k < outputs; ++k) result.energies[k].*part = values[k];
   }
   for (const auto& [name, part] : stored_counters())

@@ -28,6 +28,14 @@ std::span<const std::pair<const char*, long Counters::*>> stored_counters() {
   return counter_parts;
 }
 
+std::span<const std::pair<const char*, double Energies::*>> stored_energies() {
+  static constexpr std::pair<const char*, double Energies::*> all[] = {{"kinetic", &Energies::kinetic},
+                                                                       {"axial", &Energies::axial},
+                                                                       {"bending", &Energies::bending},
+                                                                       {"potential", &Energies::potential}};
+  return all;
+}
+
 Outcome stored_outcome(const std::string& name) {
   for (const Outcome outcome : outcomes())
     if (word(outcome) == name) return outcome;

@@ -16,6 +16,14 @@ namespace plumb {
 /// Each counter with the name it is stored by: "steps", "rejected_steps", ….
 std::span<const std::pair<const char*, long Counters::*>> stored_counters();
 
+/// Each kind of energy in the same way: "kinetic", "axial", "bending", "potential".
+std::span<const std::pair<const char*, double Energies::*>> stored_energies();
+
+template <class Archive>
+void members(Archive& a, Counters& counters) {
+  for (const auto& [name, part] : stored_counters()) a(name, counters.*part);
+}
+
 /// The outcome of that word. Throws std::runtime_error for another one.
 Outcome stored_outcome(const std::string& name);
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/run/output_folder.h"
+#include "engine/study/journal.h"
 #include "engine/study/uncertainty/assessment.h"
 #include "report/base/stages.h"
 #include "report/program/console.h"
@@ -11,7 +12,7 @@
 namespace plumb {
 
 /// Computes what the case of a run asks for, with a progress bar.
-Assessment assess(const Run& run, Stages& stages, Talk& talk);
+Assessment assess(const Run& run, Journal& journal, Stages& stages, Talk& talk);
 
 /// Writes assessment.json, where there is anything to write.
 void write_assessment(const Assessment& assessment, OutputFolder& folder);

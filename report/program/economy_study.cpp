@@ -27,11 +27,9 @@ ExitStatus report_on(const EconomyStudy& study, OutputFolder& folder, Stages& st
 
 }  // namespace
 
-ExitStatus economy_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+ExitStatus economy_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
                          const Options& options, Talk& talk) {
-  stages.begin("scenes");
-  const EconomyStudy study = run_economy(
-      loaded, gauge_maker, [&](const std::string& part, double share) { talk.progress(part, share); });
+  const EconomyStudy study = run_economy(loaded, gauge_maker, runner);
   talk.end_progress();
   return report_on(study, folder, stages, options, talk);
 }

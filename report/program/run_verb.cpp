@@ -4,6 +4,7 @@
 #include "report/document/regression.h"
 #include "report/program/assessment_pipeline.h"
 #include "report/program/earlier_report.h"
+#include "report/program/kept_points.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
@@ -53,17 +54,21 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   note_renderer(run, renderer);
   if (economy) run.provenance.emplace_back(left_to_scene, "as choice.json says");
   write_run(run, folder);
+  KeptPoints points(folder.path(), loaded.source, talk);
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.
   if (loaded.spec.work_precision && loaded.spec.cable.model != CableModel::rigid) {
     stages.begin("study");
-    study = quick_study(loaded, talk);
+    study = quick_study(loaded, points.journal(), talk);
     write_study(*study, folder);
   }
-  const Assessment assessment = assess(run, stages, talk);
+  const Assessment assessment = assess(run, points.journal(), stages, talk);
   write_assessment(assessment, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment,
-                         economy ? &*economy : nullptr);
+  points.write(folder);
+  const ExitStatus status = draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr,
+                                            &assessment, economy ? &*economy : nullptr);
+  points.remove();
+  return status;
 }
 
 }  // namespace plumb

@@ -34,13 +34,9 @@ ExitStatus report_on(const StabilityStudyFile& study, OutputFolder& folder, Stag
 
 }  // namespace
 
-ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+ExitStatus stability_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk) {
-  std::string stage;
-  StabilityStudyFile study{loaded, run_stability(loaded, [&](const std::string& part, double share) {
-                             if (part != stage) stages.begin(stage = part);
-                             talk.progress(part, share);
-                           })};
+  const StabilityStudyFile study{loaded, run_stability(loaded, runner)};
   talk.end_progress();
   return report_on(study, folder, stages, options, talk);
 }

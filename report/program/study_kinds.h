@@ -7,6 +7,7 @@
 
 #include "engine/case/case_source.h"
 #include "engine/run/output_folder.h"
+#include "engine/study/runner.h"
 #include "report/base/stages.h"
 #include "report/program/console.h"
 #include "report/program/options.h"
@@ -19,8 +20,8 @@ struct StudyKind {
   std::string folder;                   ///< what the default output folder has after the case's name
   bool (*asked_for)(const Case& spec);  ///< the case has its table
   /// Makes the study and its report.
-  ExitStatus (*study)(const LoadedCase& loaded, OutputFolder& folder, Stages& stages, const Options& options,
-                      Talk& talk);
+  ExitStatus (*study)(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
+                      const Options& options, Talk& talk);
   /// Makes the report anew from the text of study.json, which names this kind; nullptr for a study that is
   /// kept in study.h5.
   ExitStatus (*report)(const std::string& json, OutputFolder& folder, Stages& stages, const Options& options,
@@ -45,25 +46,25 @@ std::optional<NamedText> study_json_at(const std::string& path);
 /// The kind that it names. Throws InputError where it is no study of this program.
 const StudyKind& kind_of_study_json(const NamedText& json);
 
-ExitStatus work_precision_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
-                                const Options& options, Talk& talk);
-ExitStatus sweep_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages, const Options& options,
-                       Talk& talk);
+ExitStatus work_precision_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder,
+                                Stages& stages, const Options& options, Talk& talk);
+ExitStatus sweep_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
+                       const Options& options, Talk& talk);
 ExitStatus sweep_report(const std::string& json, OutputFolder& folder, Stages& stages, const Options& options,
                         Talk& talk);
 
 /// Throws InputError where the case has no variants.
-ExitStatus variants_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+ExitStatus variants_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
                           const Options& options, Talk& talk);
 ExitStatus variants_report(const std::string& json, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk);
 
-ExitStatus economy_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+ExitStatus economy_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
                          const Options& options, Talk& talk);
 ExitStatus economy_report(const std::string& json, OutputFolder& folder, Stages& stages,
                           const Options& options, Talk& talk);
 
-ExitStatus stability_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+ExitStatus stability_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
                            const Options& options, Talk& talk);
 ExitStatus stability_report(const std::string& json, OutputFolder& folder, Stages& stages,
                             const Options& options, Talk& talk);

@@ -3,6 +3,7 @@
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
 #include "engine/study/economy/economy_study_json.h"
+#include "report/program/kept_points.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
 #include "report/program/run_pipeline.h"
@@ -30,8 +31,20 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
                      ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
   OutputFolder folder(path, folder_for(loaded, options, talk));
   try_drawing();
+  KeptPoints points(folder.path(), loaded.source, talk);
+  points.take_over_from_run(output_path(options, loaded));
+  std::string stage;
+  Runner runner(points.journal(), [&](const std::string& part, double share) {
+    if (part != stage) stages.begin(stage = part);
+    talk.progress(part, share);
+  });
   try {
-    return kind.study(loaded, folder, stages, options, talk);
+    const ExitStatus status = kind.study(loaded, runner, folder, stages, options, talk);
+    points.remove();
+    return status;
+  } catch (const Interrupted&) {
+    points.say_kept(talk);
+    throw;
   } catch (const WriteError&) {
     throw;
   } catch (const OutputError& error) {

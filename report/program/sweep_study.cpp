@@ -29,10 +29,9 @@ ExitStatus report_on(const Sweep& sweep, OutputFolder& folder, Stages& stages, c
 
 }  // namespace
 
-ExitStatus sweep_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages, const Options& options,
-                       Talk& talk) {
-  stages.begin("sweep");
-  const Sweep sweep = run_sweep(loaded, [&](double share) { talk.progress("sweep", share); });
+ExitStatus sweep_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
+                       const Options& options, Talk& talk) {
+  const Sweep sweep = run_sweep(loaded, runner);
   talk.end_progress();
   return report_on(sweep, folder, stages, options, talk);
 }

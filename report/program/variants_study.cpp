@@ -47,13 +47,11 @@ ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Sta
 
 }  // namespace
 
-ExitStatus variants_study(const LoadedCase& loaded, OutputFolder& folder, Stages& stages,
+ExitStatus variants_study(const LoadedCase& loaded, Runner& runner, OutputFolder& folder, Stages& stages,
                           const Options& options, Talk& talk) {
   if (loaded.spec.variants.empty())
     throw InputError(loaded.source.file.name + ": has no [[study.variant]] to run");
-  stages.begin("runs");
-  const VariantsStudy study =
-      run_variants(loaded, [&](const std::string& name, double share) { talk.progress(name, share); });
+  const VariantsStudy study = run_variants(loaded, runner);
   talk.end_progress();
   return report_variants(study, folder, stages, options, talk);
 }

@@ -81,11 +81,10 @@ void say_references(const WorkPrecision& study, Talk& talk) {
 
 }  // namespace
 
-Study quick_study(const LoadedCase& loaded, Talk& talk) {
-  StudyJournal none;
-  Study study{loaded, run_work_precision(loaded.spec, true, none, [&](const std::string& part, double share) {
-                talk.progress("study: " + part, share);
-              })};
+Study quick_study(const LoadedCase& loaded, Journal& journal, Talk& talk) {
+  Runner runner(journal,
+                [&](const std::string& part, double share) { talk.progress("study: " + part, share); });
+  Study study{loaded, run_work_precision(loaded.spec, true, runner)};
   talk.end_progress();
   return study;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "engine/study/journal.h"
 #include "report/program/run_pipeline.h"
 #include "report/study/work_precision/work_precision_results.h"
 
@@ -9,7 +10,7 @@
 namespace plumb {
 
 /// Makes the quick study of a case with a progress bar.
-Study quick_study(const LoadedCase& loaded, Talk& talk);
+Study quick_study(const LoadedCase& loaded, Journal& journal, Talk& talk);
 
 /// Writes study.h5.
 void write_study(const Study& study, OutputFolder& folder);

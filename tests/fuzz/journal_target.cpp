@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "engine/study/work_precision/journal.h"
+#include "engine/study/journal.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {
@@ -12,22 +12,9 @@ namespace {
 
 constexpr const char* identity = "of-the-target";
 
-StudyRun made_run() {
-  StudyRun run;
-  run.method.name = "rk4";
-  run.method.step = 0.25;
-  run.method.parameters = {{"order", 3}};
-  run.elements = 4;
-  run.outcome = Outcome::completed;
-  run.counters.steps = 7;
-  run.seconds = {0.5, 0.25};
-  run.time_error = run.total_error = {0.1, 0.05, 0.025, 1e-9};
-  return run;
-}
-
 std::string journal_heading() {
   const MemoryFile file("heading");
-  StudyJournal(file.hold(""), identity);
+  Journal(file.hold(""), identity);
   return file.text();
 }
 
@@ -49,24 +36,17 @@ bool feed_lines(const std::string& lines) {
   static const MemoryFile file("journal");
   static const std::string heading = journal_heading();
   const std::string path = file.hold(heading + lines);
-  const StudyRun run = made_run();
   std::size_t found = 0;
   {
-    StudyJournal journal(path, identity);
+    Journal journal(path, identity);
     found = journal.found();
     promise(found <= static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')),
             "a journal finds more than it has lines");
-    promise_finite(journal.find_seconds(run), "a time of a journal");
-    journal.add_run(run);
-    journal.add_seconds(run);
+    journal.add("an added point", "[1,\"inf\"]");
   }
-  const StudyJournal again(path, identity);
-  promise(again.found() == found + 2, "a line that was added is lost, or one that was torn is back");
-  const auto kept = again.find_run(run.method, run.elements);
-  promise(kept && kept->method == run.method && kept->outcome == run.outcome &&
-              kept->counters.steps == run.counters.steps &&
-              kept->total_error.energy == run.total_error.energy && again.find_seconds(run) == run.seconds,
-          "a run of a journal is another");
+  const Journal again(path, identity);
+  promise(again.found() == found + 1, "a line that was added is lost, or one that was torn is back");
+  promise(again.find("an added point") == "[1,\"inf\"]", "a point of a journal is another");
   return found > 0;
 }
 
@@ -80,16 +60,9 @@ std::vector<std::string> seeds() {
   const MemoryFile file("seed");
   const std::string path = file.hold("");
   {
-    StudyJournal journal(path, identity);
-    journal.add_run(made_run());
-    journal.add_seconds(made_run());
-    StudyReference reference;
-    reference.method = made_run().method;
-    reference.trajectory.times = {0, 1};
-    reference.certificate.elements = 4;
-    reference.certificate.first = "one";
-    reference.certificate.agreement = 1e-12;
-    journal.add_reference(reference);
+    Journal journal(path, identity);
+    journal.add("timing: rk4", "[0.5,0.25]");
+    journal.add("runs: rk4", R"({"method":{"name":"rk4","step":0.25},"outcome":"completed"})");
   }
   std::string seed;
   std::istringstream lines(file.text());

@@ -188,6 +188,14 @@ Economy economy_of(const Json& json) {
   return economy;
 }
 
+Json to_stored(const Economy& economy) {
+  return economy_json(economy);
+}
+
+void from_stored(const Json& json, Economy& economy) {
+  economy = economy_of(json);
+}
+
 std::string choice_key(const CaseSource& source) {
   Hash hash;
   hash.take(source.file.text);

@@ -22,6 +22,10 @@ nlohmann::ordered_json economy_json(const Economy& economy);
 /// As above.
 Economy economy_of(const nlohmann::ordered_json& json);
 
+/// As the journal keeps it.
+nlohmann::ordered_json to_stored(const Economy& economy);
+void from_stored(const nlohmann::ordered_json& json, Economy& economy);
+
 /// What a choice must have been made of to count: a hash of the case's text and overrides and of the
 /// program's revision, 16 hexadecimal digits.
 std::string choice_key(const CaseSource& source);

@@ -7,11 +7,10 @@
 
 namespace plumb {
 
-/// The word for this kind of study, and the version of its study.json; a reader refuses another one.
+/// The word for this kind of study.
 inline constexpr const char* economy_kind = "economy";
-inline constexpr int economy_study_version = 1;
 
-/// A random scene as study.json and results.json have it.
+/// A random scene as results.json has it.
 nlohmann::ordered_json random_scene_json(const RandomScene& scene);
 
 /// study.json: all of it, with the texts of its case.

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <mutex>
+#include <optional>
 
-#include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_info.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/read/case_sections.h"
 #include "engine/study/economy/candidates.h"
+#include "engine/study/economy/economy_members.h"
 #include "engine/study/economy/economy_scenes.h"
 #include "engine/study/economy/model_selection.h"
 
@@ -23,7 +24,6 @@ struct Truth {
   Trajectory motion;
   Trajectory on_half_the_mesh;
   Trajectory by_another_method;  // not run: not made
-  std::string in_words;
 };
 
 double greatest(const std::vector<double>& values) {
@@ -49,13 +49,15 @@ Trajectory by_gauss(const Case& spec, int elements) {
 }
 
 Truth truth_of(const Case& spec, int elements, bool two_methods) {
-  Truth truth{by_nystrom(spec, elements), by_nystrom(spec, elements / 2), {}, {}};
-  truth.in_words = fmt::format("{} elements by runge-kutta-nystrom", elements);
-  if (two_methods) {
-    truth.by_another_method = by_gauss(spec, elements);
-    truth.in_words += ", held against gauss and against half the elements";
-  }
+  Truth truth{by_nystrom(spec, elements), by_nystrom(spec, elements / 2), {}};
+  if (two_methods) truth.by_another_method = by_gauss(spec, elements);
   return truth;
+}
+
+/// Of one by two methods.
+std::string truth_in_words(int elements) {
+  return fmt::format("{} elements by runge-kutta-nystrom, held against gauss and against half the elements",
+                     elements);
 }
 
 /// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far
@@ -118,22 +120,17 @@ std::vector<std::pair<std::string, Case>> pictures_of(const Case& file_case, con
   return all;
 }
 
-/// The one safe run that every picture could be drawn from.
-void run_safe(const Case& spec, EconomyStudy& study) {
+/// The one safe run that every picture could be drawn from: how long it took and how far it came, s.
+std::array<double, 2> safe_run(const Case& spec) {
   constexpr double time_limit = 120;
   const Trajectory safe = integrate(with_rung(spec, safe_rung(spec)), {}, time_limit);
-  study.safe_seconds = safe.solve_seconds;
-  study.safe_end = safe.end_time;
+  return {safe.solve_seconds, safe.end_time};
 }
 
 CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
   source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
   return source;
 }
-
-}  // namespace
-
-namespace {
 
 bool has_both(const TriedRung& tried) {
   return tried.estimate > 0 && std::isfinite(tried.estimate) && tried.true_error >= 0;
@@ -182,40 +179,44 @@ RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& study,
   return scene;
 }
 
-EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of,
-                         const EconomyProgress& progress) {
-  const auto say = [&](const std::string& part, double share) {
-    if (progress) progress(part, share);
-  };
+EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, Runner& runner) {
   EconomyStudy study;
   study.loaded = loaded;
   study.spec = economy_study_of(loaded.spec);
   const std::vector<std::pair<std::string, Case>> pictures = pictures_of(loaded.spec, study.spec);
-  int elements = study.spec.reference_elements;
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
-    say("choosing", static_cast<double>(k) / static_cast<double>(pictures.size()));
-    study.needs.push_back(need_of(pictures[k].first, pictures[k].second, gauge_of));
-    elements = std::max(elements, reference_elements(study.spec, study.needs.back().economy));
-  }
-  say("reference", 0);
-  const Truth truth = truth_of(loaded.spec, elements, true);
-  study.reference = truth.in_words;
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
-    say("proving", static_cast<double>(k) / static_cast<double>(pictures.size()));
-    prove(pictures[k].second, truth, gauge_of, study.needs[k]);
-  }
-  say("safe default", 0);
-  run_safe(loaded.spec, study);
 
-  study.scenes.resize(static_cast<std::size_t>(study.spec.scenes));
-  std::mutex guard;
-  std::size_t done = 0;
-  for_each_in_parallel(study.scenes.size(), [&](std::size_t k) {
-    study.scenes[k] = run_random_scene(loaded, study.spec, static_cast<long>(k), gauge_of);
-    // The progress bar belongs to nobody in particular.
-    const std::lock_guard lock(guard);
-    say("random scenes", static_cast<double>(++done) / static_cast<double>(study.scenes.size()));
-  });
+  // What is timed is computed alone.
+  std::vector<StudyPoint<SceneNeed>> choices;
+  for (const auto& [name, spec] : pictures)
+    choices.push_back({name, [&, name = name, spec = spec] { return need_of(name, spec, gauge_of); }});
+  const std::vector<SceneNeed> needs = runner.run("choosing", choices, Company::alone);
+
+  int elements = study.spec.reference_elements;
+  for (const SceneNeed& need : needs)
+    elements = std::max(elements, reference_elements(study.spec, need.economy));
+  study.reference = truth_in_words(elements);
+  std::optional<Truth> truth;  // made where a proof is to be computed
+  std::vector<StudyPoint<SceneNeed>> proofs;
+  for (std::size_t k = 0; k < pictures.size(); ++k)
+    proofs.push_back({pictures[k].first, [&, k] {
+                        if (!truth) truth = truth_of(loaded.spec, elements, true);
+                        SceneNeed need = needs[k];
+                        prove(pictures[k].second, *truth, gauge_of, need);
+                        return need;
+                      }});
+  study.needs = runner.run("proving", proofs, Company::alone);
+  for (std::size_t k = 0; k < pictures.size(); ++k) study.needs[k].scene = pictures[k].second.scene;
+
+  const auto safe = runner.run<std::array<double, 2>>(
+      "safe default", {{"one run", [&] { return safe_run(loaded.spec); }}}, Company::alone);
+  study.safe_seconds = safe.front()[0];
+  study.safe_end = safe.front()[1];
+
+  std::vector<StudyPoint<RandomScene>> scenes;
+  for (long k = 0; k < study.spec.scenes; ++k)
+    scenes.push_back(
+        {fmt::format("{}", k), [&, k] { return run_random_scene(loaded, study.spec, k, gauge_of); }});
+  study.scenes = runner.run("random scenes", scenes);
   study.provenance = provenance_now();
   return study;
 }

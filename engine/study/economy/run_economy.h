@@ -3,14 +3,12 @@
 #include <functional>
 
 #include "engine/study/economy/economy_study.h"
+#include "engine/study/runner.h"
 
 namespace plumb {
 
 /// Makes the gauge of a case's scene; the engine knows no cameras.
 using GaugeOfCase = std::function<MakeGauge(const Case& spec)>;
-
-/// Called now and then with what is being done and the share of it that is, 0 to 1.
-using EconomyProgress = std::function<void(const std::string& part, double share)>;
 
 /// The economy study of a case: what its table says, or the defaults where it has none.
 EconomySpec economy_study_of(const Case& spec);
@@ -21,8 +19,7 @@ EconomySpec economy_study_of(const Case& spec);
 /// with it but the forces, and by a mesh of half its elements. Then does the same with random scenes, where
 /// half of `reference_elements` is enough and half the mesh alone tells the doubt. Throws InputError where
 /// the case cannot be varied or does not move.
-EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of,
-                         const EconomyProgress& progress = {});
+EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, Runner& runner);
 
 /// Random scene k alone.
 RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& spec, long number,

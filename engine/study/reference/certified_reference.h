@@ -1,8 +1,25 @@
 #pragma once
 
-#include "engine/study/work_precision/work_precision.h"
+#include <string>
+
+#include "engine/case/case.h"
+#include "engine/integrate/trajectory.h"
 
 namespace plumb {
+
+/// A reference that two unlike methods of high order agree on.
+struct CertifiedReference {
+  int elements = 0;
+  std::string first;           ///< method and settings whose trajectory serves as the reference
+  std::string second;          ///< the one it was held against
+  double agreement = -1;       ///< greatest distance of their tips, m; -1: one of them failed
+  double smallest_error = -1;  ///< the smallest error drawn against it, m; -1: none
+  /// True if the two agree to a tenth of the smallest error drawn. Otherwise `floor` is drawn.
+  bool certified = false;
+  double floor =
+      0;  ///< m: errors below it mean nothing. Ten times the agreement, or the mesh error if greater
+  std::string why_not = {};  ///< in words, where it is not certified
+};
 
 /// A trajectory that stands for the exact motion of a mesh, and how well two unlike methods agree on it.
 struct StudyReference {

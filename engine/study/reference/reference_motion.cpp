@@ -1,5 +1,7 @@
 #include "engine/study/reference/reference_motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "engine/integrate/integrate.h"
@@ -42,6 +44,10 @@ double ReferenceMotion::horizon() const {
                   summary.trusted_until);
 }
 
+std::string ReferenceMotion::in_words() const {
+  return fmt::format("{} elements, parameter {}", spec.cable.elements, parameter);
+}
+
 ReferenceMotion reference_motion(const Case& spec, double parameter, double tolerance, double time_limit) {
   // Far better than what is judged, and yet reached where neighbours part by some powers of ten.
   constexpr double share_of_tolerance = 1e-4;
@@ -62,6 +68,7 @@ ReferenceMotion reference_motion(const Case& spec, double parameter, double tole
   summary.frequency_at_start = fastest_vibration(cable, start).frequency;
   summary.frequency_at_worst =
       std::max(summary.frequency_at_start, greatest_frequency(cable, reference.trajectory.q));
+  if (!reference.trajectory.times.empty()) motion.method = reference.method;
   motion.trajectory = std::move(reference.trajectory);
   motion.separation = separation(spec, parameter, tolerance, start_distance, time_limit);
   return motion;

@@ -1,9 +1,20 @@
 #pragma once
 
 #include "engine/integrate/integrate.h"
-#include "engine/study/stability/stability.h"
 
 namespace plumb {
+
+/// How fast neighbouring motions part.
+struct Separation {
+  double parameter = 0;
+  int elements = 0;
+  std::vector<double> times;      ///< s
+  std::vector<double> distances;  ///< of two starts this far apart at first, m
+  double exponent = 0;            ///< largest Lyapunov exponent, 1/s, over the longest duration
+  double horizon = -1;            ///< time up to which a comparison to the tolerance means something, s
+  bool beyond_end = false;        ///< the horizon is not reached within the longest duration
+  std::string in_words;
+};
 
 /// How far apart two starts are that nobody could tell from one another, m: about what is left of the error
 /// of a tight integration.

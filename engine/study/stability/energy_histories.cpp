@@ -1,9 +1,9 @@
 #include "engine/study/stability/energy_histories.h"
 
-#include <mutex>
+#include <fmt/format.h>
 
-#include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
+#include "engine/study/stability/stability_members.h"
 
 namespace plumb {
 namespace {
@@ -32,20 +32,17 @@ EnergyHistory history_of(const MethodVariant& variant, const Case& of, double pa
 std::vector<EnergyHistory> energy_histories(const std::vector<MethodVariant>& variants,
                                             const std::vector<Case>& cases,
                                             const std::vector<double>& parameters, double step,
-                                            double time_limit, const std::function<void(double)>& done) {
+                                            double time_limit, Runner& runner) {
   std::vector<const MethodVariant*> chosen;
   for (const MethodVariant& variant : variants)
     if (variant.by_step && variant.info->family == MethodFamily::structural) chosen.push_back(&variant);
-  std::vector<EnergyHistory> histories(chosen.size() * cases.size());
-  std::mutex saying;
-  std::size_t ready = 0;
-  for_each_in_parallel(histories.size(), [&](std::size_t k) {
-    const std::size_t c = k / chosen.size();
-    histories[k] = history_of(*chosen[k % chosen.size()], cases[c], parameters[c], step, time_limit);
-    const std::lock_guard lock(saying);
-    if (done) done(static_cast<double>(++ready) / static_cast<double>(histories.size()));
-  });
-  return histories;
+  std::vector<StudyPoint<EnergyHistory>> points;
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    for (const MethodVariant* variant : chosen)
+      points.push_back({fmt::format("{}, parameter {}", variant->label, parameters[c]), [&, variant, c] {
+                          return history_of(*variant, cases[c], parameters[c], step, time_limit);
+                        }});
+  return runner.run("energies", points);
 }
 
 }  // namespace plumb

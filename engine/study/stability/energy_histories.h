@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "engine/study/reference/method_settings.h"
+#include "engine/study/runner.h"
 #include "engine/study/stability/stability.h"
 
 namespace plumb {
@@ -14,6 +14,6 @@ namespace plumb {
 std::vector<EnergyHistory> energy_histories(const std::vector<MethodVariant>& variants,
                                             const std::vector<Case>& cases,
                                             const std::vector<double>& parameters, double step,
-                                            double time_limit, const std::function<void(double)>& done);
+                                            double time_limit, Runner& runner);
 
 }  // namespace plumb

@@ -1,16 +1,18 @@
 #include "engine/study/stability/outcome_maps.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
 
-#include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
 #include "engine/model/cable.h"
 #include "engine/study/reference/classify_outcome.h"
 #include "engine/study/reference/until.h"
 #include "engine/study/stability/predicted_limit.h"
+#include "engine/study/stability/stability_members.h"
 #include "engine/study/stability/step_in_words.h"
 
 namespace plumb {
@@ -42,12 +44,14 @@ StabilityPoint point_of(const Trajectory& run, const ReferenceMotion& motion, do
   return point;
 }
 
-void execute(Run& run, double tolerance, double time_limit) {
+std::vector<StabilityPoint> points_of(const Run& run, double tolerance, double time_limit) {
   Case spec = run.motion->spec;
   spec.time.end = run.ends.back();
   spec.method = run.variant->with(run.setting);
   const Trajectory trajectory = integrate(spec, {}, time_limit);
-  for (const double end : run.ends) run.points.push_back(point_of(trajectory, *run.motion, end, tolerance));
+  std::vector<StabilityPoint> points;
+  for (const double end : run.ends) points.push_back(point_of(trajectory, *run.motion, end, tolerance));
+  return points;
 }
 
 /// A guess, to begin with the longest.
@@ -74,39 +78,40 @@ class Maps {
         for (const ReferenceMotion& motion : motions_.parameters) add(variant, motion, setting, {end_});
         for (const ReferenceMotion& motion : motions_.elements) add(variant, motion, setting, {end_});
       }
-    std::stable_sort(runs_.begin(), runs_.end(),
-                     [](const Run& a, const Run& b) { return work(a) > work(b); });
   }
 
-  void execute_all(const std::function<void(double)>& done) {
-    std::mutex saying;
-    std::size_t ready = 0;
-    for_each_in_parallel(runs_.size(), [&](std::size_t k) {
-      execute(runs_[k], what_.tolerance, what_.time_limit);
-      const std::lock_guard lock(saying);
-      if (done) done(static_cast<double>(++ready) / static_cast<double>(runs_.size()));
-    });
+  void execute_all(Runner& runner) {
+    std::vector<StudyPoint<std::vector<StabilityPoint>>> points;
+    for (const Run& run : runs_)
+      points.push_back({fmt::format("{}, {}, {}, to {} s", run.variant->label, run.setting,
+                                    run.motion->in_words(), fmt::join(run.ends, ", ")),
+                        [this, &run] { return points_of(run, what_.tolerance, what_.time_limit); },
+                        work(run)});
+    std::vector<std::vector<StabilityPoint>> found = runner.run("maps", points);
+    for (std::size_t k = 0; k < runs_.size(); ++k) runs_[k].points = std::move(found[k]);
     for (const Run& run : runs_) by_key_[{run.variant, run.motion, run.setting}] = &run;
   }
 
   /// Of each variant on each motion.
-  void predict() {
+  void predict(Runner& runner) {
     std::vector<const ReferenceMotion*> motions{&motions_.base};
     for (const ReferenceMotion& motion : motions_.parameters) motions.push_back(&motion);
     for (const ReferenceMotion& motion : motions_.elements) motions.push_back(&motion);
+    std::vector<std::pair<const MethodVariant*, const ReferenceMotion*>> asked;
     for (const MethodVariant& variant : variants_) {
       const LimitKind kind = variant.by_step ? limit_kind(variant.with(1)) : LimitKind::none;
       if (kind != LimitKind::vibration && kind != LimitKind::contraction) continue;
-      for (const ReferenceMotion* motion : motions) limits_[{&variant, motion}] = {};
+      for (const ReferenceMotion* motion : motions) asked.emplace_back(&variant, motion);
     }
-    std::vector<decltype(limits_)::value_type*> all;
-    for (auto& limit : limits_) all.push_back(&limit);
-    for_each_in_parallel(all.size(), [&](std::size_t k) {
-      const auto& [variant, motion] = all[k]->first;
-      all[k]->second =
-          predicted_limit(variant->method, Cable(motion->spec), until(motion->trajectory, end_),
-                          motion->summary.frequency_at_start, motion->summary.frequency_at_worst);
-    });
+    std::vector<StudyPoint<PredictedLimit>> points;
+    for (const auto& [variant, motion] : asked)
+      points.push_back({fmt::format("{}, {}", variant->label, motion->in_words()), [this, variant, motion] {
+                          return predicted_limit(
+                              variant->method, Cable(motion->spec), until(motion->trajectory, end_),
+                              motion->summary.frequency_at_start, motion->summary.frequency_at_worst);
+                        }});
+    const std::vector<PredictedLimit> limits = runner.run("predicted limits", points);
+    for (std::size_t k = 0; k < asked.size(); ++k) limits_[asked[k]] = limits[k];
   }
 
   std::vector<OutcomeMap> collect() const {
@@ -207,12 +212,11 @@ const ReferenceMotion& StabilityMotions::on_mesh(int count) const {
 
 std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
                                      const std::vector<MethodVariant>& variants,
-                                     const StabilityMotions& motions,
-                                     const std::function<void(double)>& done) {
+                                     const StabilityMotions& motions, Runner& runner) {
   Maps maps(what, end, variants, motions);
   maps.plan();
-  maps.predict();
-  maps.execute_all(done);
+  maps.predict(runner);
+  maps.execute_all(runner);
   return maps.collect();
 }
 

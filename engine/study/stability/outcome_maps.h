@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "engine/case/case.h"
 #include "engine/study/reference/method_settings.h"
 #include "engine/study/reference/reference_motion.h"
+#include "engine/study/runner.h"
 #include "engine/study/stability/stability.h"
 
 namespace plumb {
@@ -23,11 +23,10 @@ struct StabilityMotions {
 
 /// Runs every variant over steps (or tolerances) and each of parameter, elements and duration, in parallel
 /// over the processors, and judges each run by its reference. A run to the longest duration serves for the
-/// shorter ones. `done` is called with the share that is done, never twice at once.
+/// shorter ones.
 std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
                                      const std::vector<MethodVariant>& variants,
-                                     const StabilityMotions& motions,
-                                     const std::function<void(double)>& done);
+                                     const StabilityMotions& motions, Runner& runner);
 
 /// `count` values of equal ratio, rising from `least` to `greatest`.
 std::vector<double> equal_ratios(double least, double greatest, int count);

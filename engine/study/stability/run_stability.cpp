@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 
 #include "engine/base/parallel.h"
+#include "engine/integrate/integrate.h"
 #include "engine/read/changed_case.h"
 #include "engine/read/stability_of.h"
 #include "engine/study/stability/critical_step.h"
@@ -14,15 +14,16 @@
 #include "engine/study/stability/motion_statistics.h"
 #include "engine/study/stability/outcome_maps.h"
 #include "engine/study/stability/predicted_limit.h"
+#include "engine/study/stability/stability_members.h"
 
 namespace plumb {
 namespace {
 
 class StabilityStudy {
  public:
-  StabilityStudy(const LoadedCase& loaded, const StudyProgress& progress)
+  StabilityStudy(const LoadedCase& loaded, Runner& runner)
       : loaded_(loaded),
-        progress_(progress),
+        runner_(runner),
         what_(stability_of(loaded.spec)),
         variants_(method_variants(what_.methods)) {}
 
@@ -36,18 +37,23 @@ class StabilityStudy {
     study.duration = std::max(what_.durations.back(), study.end);
     study.tolerance = what_.tolerance;
     make_motions(study.duration);
-    study.maps = outcome_maps(what_, study.end, variants_, motions_, part("maps"));
+    study.maps = outcome_maps(what_, study.end, variants_, motions_, runner_);
     study.critical_steps = critical_steps();
     study.energies = energy_histories(variants_, energy_cases(), energy_parameters(), what_.energy_step,
-                                      long_limit(), part("energies"));
-    const auto said = part("amplification");
-    said(0);
-    study.amplifications = mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
+                                      long_limit(), runner_);
+    runner_.say("amplification", 0);
+    study.amplifications = runner_.once<std::vector<ModeAmplification>>(
+        "amplification", {"all", [&] {
+                            return mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
+                          }});
     for (const ReferenceMotion* motion : all_motions()) {
       study.references.push_back(motion->summary);
       study.separations.push_back(motion->separation);
     }
-    study.statistics = motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit());
+    study.statistics = runner_.once<std::vector<MotionStatistics>>(
+        "statistics",
+        {"all",
+         [&] { return motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit()); }});
     study.provenance = provenance_now();
     return study;
   }
@@ -59,12 +65,6 @@ class StabilityStudy {
 
   /// For what the whole study rests on, or what is drawn whole.
   double long_limit() const { return 30 * what_.time_limit; }
-
-  std::function<void(double)> part(const std::string& name) const {
-    return [this, name](double share) {
-      if (progress_) progress_(name, share);
-    };
-  }
 
   Case plain(Case spec) const {
     spec.stability.reset();
@@ -97,17 +97,27 @@ class StabilityStudy {
       spec.cable.elements = elements;
       cases.emplace_back(spec, own_value());
     }
-    std::vector<ReferenceMotion> motions(cases.size());
-    const auto said = part("references");
-    std::mutex saying;
-    std::size_t ready = 0;
-    said(0);
+    std::vector<Trajectory> trajectories(cases.size());
+    std::vector<StudyPoint<ReferenceMotion>> points;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      const auto& [spec, parameter] = cases[k];
+      points.push_back({fmt::format("{} elements, parameter {}", spec.cable.elements, parameter),
+                        [&, k] {
+                          ReferenceMotion motion = reference_motion(cases[k].first, cases[k].second,
+                                                                    what_.tolerance, long_limit());
+                          trajectories[k] = std::move(motion.trajectory);
+                          return motion;
+                        },
+                        1.0 * spec.cable.elements});
+    }
+    std::vector<ReferenceMotion> motions = runner_.run("references", points);
     for_each_in_parallel(cases.size(), [&](std::size_t k) {
-      // The finest mesh takes longest and begins first.
-      const std::size_t at = cases.size() - 1 - k;
-      motions[at] = reference_motion(cases[at].first, cases[at].second, what_.tolerance, long_limit());
-      const std::lock_guard lock(saying);
-      said(static_cast<double>(++ready) / static_cast<double>(cases.size()));
+      motions[k].spec = cases[k].first;
+      motions[k].trajectory = std::move(trajectories[k]);
+      if (!motions[k].trajectory.times.empty() || motions[k].method.name.empty()) return;
+      Case spec = motions[k].spec;  // of a motion that the journal had
+      spec.method = motions[k].method;
+      motions[k].trajectory = integrate(spec);
     });
     motions_.base = std::move(motions.front());
     for (std::size_t k = 1; k < motions.size(); ++k)
@@ -134,26 +144,24 @@ class StabilityStudy {
     for (const MethodVariant& variant : variants)
       if (variant.by_step)
         for (const ReferenceMotion* motion : all_motions()) tasks.push_back({&variant, motion});
-    std::vector<CriticalStep> steps(tasks.size());
-    const auto said = part("critical steps");
-    std::mutex saying;
-    std::size_t ready = 0;
-    said(0);
-    for_each_in_parallel(tasks.size(), [&](std::size_t k) {
-      const std::size_t at = tasks.size() - 1 - k;
-      const auto& [variant, motion] = tasks[at];
-      Case spec = motion->spec;
-      spec.time.end = loaded_.spec.time.end;
-      steps[at] = critical_step(spec, variant->method, long_limit());
-      steps[at].label = variant->label;
-      steps[at].parameter = motion->parameter;
-      steps[at].limit_kind = limit_kind(variant->method);
-      steps[at].predicted = vibration_limit(variant->method, motion->summary.frequency_at_start,
-                                            motion->summary.frequency_at_worst);
-      const std::lock_guard lock(saying);
-      said(static_cast<double>(++ready) / static_cast<double>(tasks.size()));
-    });
-    return steps;
+    std::vector<StudyPoint<CriticalStep>> points;
+    for (const auto& [variant, motion] : tasks)
+      points.push_back({fmt::format("{}, {}", variant->label, motion->in_words()),
+                        [this, variant, motion] { return critical_step_of(*variant, *motion); },
+                        static_cast<double>(points.size())});
+    return runner_.run("critical steps", points);
+  }
+
+  CriticalStep critical_step_of(const MethodVariant& variant, const ReferenceMotion& motion) const {
+    Case spec = motion.spec;
+    spec.time.end = loaded_.spec.time.end;
+    CriticalStep step = critical_step(spec, variant.method, long_limit());
+    step.label = variant.label;
+    step.parameter = motion.parameter;
+    step.limit_kind = limit_kind(variant.method);
+    step.predicted =
+        vibration_limit(variant.method, motion.summary.frequency_at_start, motion.summary.frequency_at_worst);
+    return step;
   }
 
   /// The case itself, and the first of the parameter's values where that is another one.
@@ -180,7 +188,7 @@ class StabilityStudy {
   }
 
   const LoadedCase& loaded_;
-  const StudyProgress& progress_;
+  Runner& runner_;
   StabilitySpec what_;
   std::vector<MethodVariant> variants_;
   StabilityMotions motions_;
@@ -188,8 +196,8 @@ class StabilityStudy {
 
 }  // namespace
 
-Stability run_stability(const LoadedCase& loaded, const StudyProgress& progress) {
-  return StabilityStudy(loaded, progress).make();
+Stability run_stability(const LoadedCase& loaded, Runner& runner) {
+  return StabilityStudy(loaded, runner).make();
 }
 
 }  // namespace plumb

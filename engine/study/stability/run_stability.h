@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/case/case_source.h"
+#include "engine/study/runner.h"
 #include "engine/study/stability/stability.h"
-#include "engine/study/work_precision/run_work_precision.h"
 
 namespace plumb {
 
@@ -10,6 +10,6 @@ namespace plumb {
 /// amplification of one vibration, and how fast neighbours part. The parameter is varied by reading the case
 /// again. Throws InputError where the case is not valid at one of its values, and Interrupted if the user
 /// stops it.
-Stability run_stability(const LoadedCase& loaded, const StudyProgress& progress = {});
+Stability run_stability(const LoadedCase& loaded, Runner& runner);
 
 }  // namespace plumb

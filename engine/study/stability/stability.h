@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "engine/integrate/method_info.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/run/provenance.h"
+#include "engine/study/reference/reference_motion.h"
 
 namespace plumb {
 
@@ -17,6 +19,9 @@ bool is_stable(Outcome outcome);
 enum class MapAxis { parameter, elements, duration };
 /// "parameter", "elements", "duration".
 std::string_view word(MapAxis);
+inline std::array<MapAxis, 3> enum_values(MapAxis) {
+  return {MapAxis::parameter, MapAxis::elements, MapAxis::duration};
+}
 
 /// One run of a map.
 struct StabilityPoint {
@@ -45,6 +50,9 @@ enum class LimitKind {
 };
 /// "none", "vibration", "contraction", "always".
 std::string_view word(LimitKind);
+inline std::array<LimitKind, 4> enum_values(LimitKind) {
+  return {LimitKind::none, LimitKind::vibration, LimitKind::contraction, LimitKind::always};
+}
 
 /// Outcomes of one method over steps (or tolerances) and one other thing.
 struct OutcomeMap {
@@ -90,30 +98,6 @@ struct ModeAmplification {
   double steps_a_period = 0;
   double measured = -1;   ///< amplitude after a period over that before
   double predicted = -1;  ///< amplification(ωh) to the power of steps a period
-};
-
-/// How fast neighbouring motions part.
-struct Separation {
-  double parameter = 0;
-  int elements = 0;
-  std::vector<double> times;      ///< s
-  std::vector<double> distances;  ///< of two starts this far apart at first, m
-  double exponent = 0;            ///< largest Lyapunov exponent, 1/s, over the longest duration
-  double horizon = -1;            ///< time up to which a comparison to the tolerance means something, s
-  bool beyond_end = false;        ///< the horizon is not reached within the longest duration
-  std::string in_words;
-};
-
-/// The exact motion that the runs on one mesh, at one value of the parameter, are judged by.
-struct StabilityReference {
-  double parameter = 0;
-  int elements = 0;
-  double duration = 0;            ///< s
-  std::string first, second;      ///< the methods that were held together
-  double agreement = -1;          ///< greatest distance of their tips, m; -1: they could not be compared
-  double trusted_until = -1;      ///< s: up to there they agree to a tenth of the tolerance
-  double frequency_at_start = 0;  ///< of the fastest vibration, rad/s
-  double frequency_at_worst = 0;  ///< the greatest along the motion, rad/s
 };
 
 /// What does not depend on which of the neighbours of a motion a run follows, over all of its outputs.

@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <memory>
 
 #include "engine/base/errors.h"
 #include "engine/base/place.h"
-#include "engine/base/worker_processes.h"
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_info.h"
 #include "engine/read/case_sections.h"
 #include "engine/read/changed_case.h"
 #include "engine/study/reference/node_distance.h"
 #include "engine/study/sweep/sweep_cases.h"
-#include "engine/study/sweep/sweep_json.h"
+#include "engine/study/sweep/sweep_members.h"
 
 namespace plumb {
 namespace {
@@ -151,35 +150,36 @@ SweepRun run_of_sweep(const LoadedCase& loaded, const SweepSpec& spec, long numb
   return Model(loaded, spec, number / runs_of_a_model, judge).run(number);
 }
 
-Sweep run_sweep(const LoadedCase& loaded, const SweepProgress& progress, const Judge& judged_by) {
+Sweep run_sweep(const LoadedCase& loaded, Runner& runner, const Judge& judged_by) {
   constexpr double patience = 20, least_silence = 60;
   constexpr long models_checked = 250;
   Sweep sweep;
   sweep.loaded = loaded;
   sweep.spec = sweep_of(loaded.spec);
   const SweepSpec& spec = sweep.spec;
-  WorkerJobs jobs;
-  for (long first = 0; first < spec.cases; first += runs_of_a_model)
-    jobs.lines.push_back(static_cast<std::size_t>(std::min(runs_of_a_model, spec.cases - first)));
+  const long models = (spec.cases + runs_of_a_model - 1) / runs_of_a_model;
   // A case that cannot be varied is told at once.
-  for (long model = 0; model < std::min(std::ssize(jobs.lines), models_checked); ++model)
+  for (long model = 0; model < std::min(models, models_checked); ++model)
     load_without_studies(with(loaded.source, model_overrides(loaded.spec, spec.seed, model)));
 
-  jobs.longest_silence = std::max(least_silence, patience * spec.time_limit);
-  jobs.work = [&](std::size_t job, std::size_t first, const TakeLine& take) {
-    const Model model(loaded, spec, static_cast<long>(job), judged_by);
-    for (std::size_t k = first; k < jobs.lines[job]; ++k)
-      take(sweep_run_json(model.run(static_cast<long>(job) * runs_of_a_model + static_cast<long>(k)))
-               .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  };
-  if (progress) jobs.progress = [&](std::size_t done) { progress(static_cast<double>(done) / spec.cases); };
-
-  for (const std::vector<JobLine>& of_model : run_in_processes(jobs))
-    for (const JobLine& line : of_model) {
-      const long number = std::ssize(sweep.runs);
-      sweep.runs.push_back(line.fault.empty() ? sweep_run_of(nlohmann::ordered_json::parse(line.text))
-                                              : lost_run(loaded, spec, number, line.fault));
-    }
+  // Made by the first of its runs that is computed, in the process that computes them.
+  std::vector<std::unique_ptr<Model>> made(static_cast<std::size_t>(models));
+  std::vector<StudyPoint<SweepRun>> points;
+  for (long number = 0; number < spec.cases; ++number) {
+    const auto model = static_cast<std::size_t>(number / runs_of_a_model);
+    points.push_back({fmt::format("{}", number),
+                      [&, number, model] {
+                        if (!made[model])
+                          made[model] =
+                              std::make_unique<Model>(loaded, spec, static_cast<long>(model), judged_by);
+                        return made[model]->run(number);
+                      },
+                      1, model, std::max(least_silence, patience * spec.time_limit)});
+  }
+  sweep.runs =
+      runner.run<SweepRun>("sweep", points, Company::apart, [&](std::size_t k, const std::string& fault) {
+        return lost_run(loaded, spec, static_cast<long>(k), fault);
+      });
   sweep.provenance = provenance_now();
   return sweep;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "engine/study/reference/classify_outcome.h"
+#include "engine/study/runner.h"
 #include "engine/study/sweep/sweep.h"
 
 namespace plumb {
@@ -14,15 +15,12 @@ SweepSpec sweep_of(const Case& spec);
 using Judge = std::function<Judgement(const Trajectory& run, const Trajectory& reference, double tolerance,
                                       double horizon)>;
 
-/// Called now and then with the share that is done, 0 to 1.
-using SweepProgress = std::function<void(double share)>;
-
 /// Makes random cases near the one of the file and runs each, in processes of their own, so that one that
 /// crashes or hangs is told rather than the end of all. A run that completes is judged by the Nyström pair of
 /// order 8 on its own mesh, and held against the Gauss method of order 6; it is judged up to the time to
 /// which these two agree to a tenth of the tolerance. Throws InputError where the file's case cannot be
 /// varied, Interrupted if the user stops it.
-Sweep run_sweep(const LoadedCase& loaded, const SweepProgress& progress = {}, const Judge& judged_by = judge);
+Sweep run_sweep(const LoadedCase& loaded, Runner& runner, const Judge& judged_by = judge);
 
 /// Case k of a sweep alone, judged in the same way in this process.
 SweepRun run_of_sweep(const LoadedCase& loaded, const SweepSpec& spec, long number);

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
-#include <numeric>
 
-#include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
 #include "engine/read/changed_case.h"
-#include "engine/run/probes.h"
+#include "engine/run/probes_json.h"
 
 namespace plumb {
 namespace {
@@ -27,6 +24,16 @@ struct Computed {
   ProbeTable sampled;
 };
 
+/// As the journal keeps it, before it is measured.
+template <class Archive>
+void members(Archive& a, Computed& computed) {
+  a("outcome", computed.run.outcome);
+  a("message", computed.run.message);
+  a("seconds", computed.run.seconds);
+  a("at_reference", computed.at_reference);
+  a("sampled", computed.sampled);
+}
+
 std::string in_words(const MethodSpec& method) {
   std::string text = method.name;
   if (method.step) text += fmt::format(", step {:.6g} s", *method.step);
@@ -41,18 +48,17 @@ std::vector<double> within(const std::vector<double>& times, double end) {
   return result;
 }
 
-void compute(Computed& computed, const std::vector<double>& reference_times, double interval) {
-  const Case& spec = computed.spec;
+Computed compute(const Case& spec, const std::vector<double>& reference_times, double interval) {
+  Computed computed;
   const Trajectory trajectory = integrate(spec, {}, longest_run_of_budget);
   BudgetRun& run = computed.run;
   run.outcome = trajectory.outcome;
   run.message = trajectory.message;
-  run.elements = spec.cable.elements;
-  run.method = in_words(spec.method);
   run.seconds = trajectory.solve_seconds;
-  if (!run.completed()) return;
+  if (!run.completed()) return computed;
   computed.at_reference = probe(spec, trajectory, within(reference_times, trajectory.times.back()));
   if (interval > 0) computed.sampled = probe(spec, trajectory);
+  return computed;
 }
 
 struct Greatest {
@@ -91,19 +97,9 @@ void measure(Computed& computed, const Computed& base, const ErrorBudget& budget
   }
 }
 
-/// Those that take longest first, so that none is left alone at the end.
-std::vector<std::size_t> longest_first(const std::vector<Computed>& all) {
-  std::vector<std::size_t> order(all.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return all[a].spec.cable.elements > all[b].spec.cable.elements;
-  });
-  return order;
-}
-
 }  // namespace
 
-ErrorBudget run_budget(const LoadedCase& loaded, const BudgetProgress& progress) {
+ErrorBudget run_budget(const LoadedCase& loaded, Runner& runner) {
   const auto started = std::chrono::steady_clock::now();
   const BudgetSpec& spec = *loaded.spec.error_budget;
   const auto use = std::find_if(loaded.spec.references.begin(), loaded.spec.references.end(),
@@ -144,15 +140,19 @@ ErrorBudget run_budget(const LoadedCase& loaded, const BudgetProgress& progress)
     budget.left_out = "no time of the reference is within the run but the start";
   if (!budget.left_out.empty()) return budget;
 
-  const std::vector<std::size_t> order = longest_first(all);
-  std::mutex guard;
-  std::size_t done = 0;
-  for_each_in_parallel(all.size(), [&](std::size_t k) {
-    compute(all[order[k]], reference.times, spec.interval);
-    const std::lock_guard lock(guard);
-    ++done;
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(all.size()));
-  });
+  std::vector<StudyPoint<Computed>> points;
+  for (const Computed& planned : all)
+    points.push_back({fmt::format("run {}", points.size()),
+                      [&] { return compute(planned.spec, reference.times, spec.interval); },
+                      1.0 * planned.spec.cable.elements});
+  std::vector<Computed> made = runner.run("error budget", points);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    made[k].run.overrides = all[k].run.overrides;
+    made[k].run.elements = all[k].spec.cable.elements;
+    made[k].run.method = in_words(all[k].spec.method);
+    made[k].spec = std::move(all[k].spec);
+  }
+  all = std::move(made);
   for (Computed& computed : all) measure(computed, all.front(), budget, reference);
   budget.reference_times = within(reference.times, loaded.spec.time.end).size();
   budget.base = std::move(all[0].run);

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 
-#include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_info.h"
 #include "engine/read/uncertain_keys.h"
+#include "engine/run/probes_json.h"
 #include "engine/run/sampled_run.h"
 #include "engine/study/reference/comparable_times.h"
 #include "engine/study/uncertainty/uncertainty_parts.h"
@@ -30,6 +29,12 @@ struct Seen {
     return {at_references[reference].find(name)->values, {}};
   }
 };
+
+template <class Archive>
+void members(Archive& a, Seen& seen) {
+  a("at_references", seen.at_references);
+  a("fault", seen.fault);
+}
 
 Seen see(const PlannedRun& planned, const std::vector<std::vector<double>>& times) {
   if (!planned.fault.empty()) return {{}, planned.fault};
@@ -76,17 +81,11 @@ Runs plan(const LoadedCase& loaded) {
   return runs;
 }
 
-void carry_out(Runs& runs, const std::vector<std::vector<double>>& times,
-               const UncertaintyProgress& progress) {
-  runs.seen.resize(runs.planned.size());
-  std::mutex guard;
-  std::size_t done = 0;
-  for_each_in_parallel(runs.planned.size(), [&](std::size_t k) {
-    runs.seen[k] = see(runs.planned[k], times);
-    const std::lock_guard lock(guard);
-    ++done;
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(runs.planned.size()));
-  });
+void carry_out(Runs& runs, const std::vector<std::vector<double>>& times, Runner& runner) {
+  std::vector<StudyPoint<Seen>> points;
+  for (const PlannedRun& planned : runs.planned)
+    points.push_back({fmt::format("run {}", points.size()), [&] { return see(planned, times); }});
+  runs.seen = runner.run("uncertainty", points);
 }
 
 InputSampling sampling_of(const Run& run, const Runs& runs) {
@@ -153,7 +152,7 @@ std::string obstacle(const Run& run, const Reference& reference, const std::vect
 
 }  // namespace
 
-Uncertainty run_uncertainty(const Run& run, const UncertaintyProgress& progress) {
+Uncertainty run_uncertainty(const Run& run, Runner& runner) {
   const auto started = std::chrono::steady_clock::now();
   const Case& spec = run.loaded.spec;
   Uncertainty result;
@@ -170,7 +169,7 @@ Uncertainty run_uncertainty(const Run& run, const UncertaintyProgress& progress)
   Runs runs;
   if (any) {
     runs = plan(run.loaded);
-    carry_out(runs, times, progress);
+    carry_out(runs, times, runner);
   }
   result.runs = static_cast<int>(runs.planned.size());
   result.sampling = sampling_of(run, runs);

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include "engine/case/case_source.h"
+#include "engine/study/runner.h"
 #include "engine/study/variants/variants.h"
 
 namespace plumb {
@@ -14,12 +12,8 @@ struct VariantsStudy {
   Variants result;
 };
 
-/// Called when a variant has ended, with its name and the share of all that have, 0 to 1. Never called twice
-/// at once, but from any thread.
-using VariantsProgress = std::function<void(const std::string& name, double share)>;
-
 /// Integrates every variant of a case, in parallel over the processors, and finds its figures. A run that
 /// fails is a result. Throws Interrupted if the user stops it.
-VariantsStudy run_variants(const LoadedCase& loaded, const VariantsProgress& progress = {});
+VariantsStudy run_variants(const LoadedCase& loaded, Runner& runner);
 
 }  // namespace plumb

@@ -6,11 +6,7 @@
 
 namespace plumb {
 
-/// Version of the layout; a reader refuses a later one.
-inline constexpr int variants_file_version = 1;
-
-/// The text of a study.json of the kind "variants"; output/README.md describes it. A number that is not
-/// finite is null.
+/// The text of a study.json of the kind "variants"; output/README.md describes it.
 std::string encode_variants(const VariantsStudy& study);
 
 /// Reads such a text, checks it, and reads its case again from the texts it holds. Throws InputError for one

@@ -1,15 +1,16 @@
 #include "engine/study/work_precision/run_work_precision.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 
 #include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
 #include "engine/model/greatest_eigenfrequency.h"
 #include "engine/study/reference/grid_convergence.h"
 #include "engine/study/reference/method_curves.h"
+#include "engine/study/work_precision/work_precision_members.h"
 
 namespace plumb {
 namespace {
@@ -20,23 +21,33 @@ struct Mesh {
   StudyReference reference;
 };
 
-/// One curve on one mesh, with the runs that were made of it.
-struct Task {
-  const CurvePlan* plan;
-  const Mesh* mesh;
+/// The runs that were made of a curve, and why there are no more.
+struct CurveRuns {
   std::vector<StudyRun> runs;
   std::string ending;
 };
 
+template <class Archive>
+void members(Archive& a, CurveRuns& curve) {
+  a("runs", curve.runs);
+  a("ending", curve.ending);
+}
+
+/// One curve on one mesh.
+struct CurveTask {
+  const CurvePlan* plan;
+  const Mesh* mesh;
+  CurveRuns made;
+};
+
 class Computation {
  public:
-  Computation(const Case& spec, bool quick, StudyJournal& journal, const StudyProgress& progress)
+  Computation(const Case& spec, bool quick, Runner& runner)
       : spec_(spec),
         what_(work_precision_of(spec)),
         extent_(quick ? what_.quick : what_.full),
         quick_(quick),
-        journal_(journal),
-        progress_(progress) {
+        runner_(runner) {
     spec_.time.end = what_.end;
     spec_.work_precision.reset();
   }
@@ -60,12 +71,6 @@ class Computation {
     return spec;
   }
 
-  void say(const std::string& part, std::size_t done, std::size_t all) {
-    if (!progress_) return;
-    const std::lock_guard lock(saying_);
-    progress_(part, all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1);
-  }
-
   /// How well the two methods of a reference should agree, m. On the mesh of the case, time integration is in
   /// question and curves go down to the tightest tolerance; on the others the mesh errs by far more.
   double target(int elements) const {
@@ -80,27 +85,40 @@ class Computation {
     meshes_.push_back({2 * extent_.elements.back(), {}});
     // As references are worth far more than any one run, they may take longer.
     const double time_limit = (quick_ ? 30 : 60) * extent_.time_limit;
-    std::atomic<std::size_t> done = 0;
-    say("references", 0, meshes_.size());
+    std::vector<Trajectory> trajectories(meshes_.size());
+    std::vector<StudyPoint<StudyReference>> points;
+    for (std::size_t k = 0; k < meshes_.size(); ++k) {
+      const int elements = meshes_[k].elements;
+      const double wanted = target(elements);
+      points.push_back({fmt::format("{} elements to {} m", elements, wanted),
+                        [&, k, elements, wanted] {
+                          StudyReference made = make_reference(on_mesh(elements), wanted, time_limit);
+                          trajectories[k] = std::move(made.trajectory);
+                          if (trajectories[k].times.empty()) made.method = {};
+                          return made;
+                        },
+                        1.0 * elements});
+    }
+    std::vector<StudyReference> made = runner_.run("references", points);
     for_each_in_parallel(meshes_.size(), [&](std::size_t k) {
-      // The finest mesh takes longest and begins first.
-      Mesh& mesh = meshes_[meshes_.size() - 1 - k];
-      const Case spec = on_mesh(mesh.elements);
-      if (const auto known = journal_.find_reference(mesh.elements)) {
-        mesh.reference = *known;
-        Case with = spec;
-        with.method = known->method;
-        if (!with.method.name.empty()) mesh.reference.trajectory = integrate(with);
-      } else {
-        mesh.reference = make_reference(spec, target(mesh.elements), time_limit);
-        journal_.add_reference(mesh.reference);
-      }
-      say("references", ++done, meshes_.size());
+      Mesh& mesh = meshes_[k];
+      mesh.reference = std::move(made[k]);
+      mesh.reference.trajectory = std::move(trajectories[k]);
+      if (!mesh.reference.trajectory.times.empty() || mesh.reference.method.name.empty()) return;
+      Case spec = on_mesh(mesh.elements);  // of a reference that the journal had
+      spec.method = mesh.reference.method;
+      mesh.reference.trajectory = integrate(spec);
     });
   }
 
-  StudyRun make_run(const MethodSpec& method, const Mesh& mesh) {
-    if (const auto known = journal_.find_run(method, mesh.elements)) return *known;
+  /// Of a run, and of all that its errors depend on.
+  std::string key(const MethodSpec& method, const Mesh& mesh) const {
+    return fmt::format("{} on {} elements, held against {} m and {} elements to {} m", encode(method).dump(),
+                       mesh.elements, target(mesh.elements), meshes_.back().elements,
+                       target(meshes_.back().elements));
+  }
+
+  StudyRun made_run(const MethodSpec& method, const Mesh& mesh) const {
     Case spec = on_mesh(mesh.elements);
     spec.method = method;
     const Trajectory trajectory = integrate(spec, {}, extent_.time_limit);
@@ -116,9 +134,15 @@ class Computation {
     } else if (run.outcome == Outcome::out_of_time) {
       run.seconds = {trajectory.solve_seconds};
     }
-    journal_.add_run(run);
-    if (!run.seconds.empty()) journal_.add_seconds(run);
     return run;
+  }
+
+  StudyRun make_run(const MethodSpec& method, const Mesh& mesh) {
+    // What was out of time may be in time where more is allowed.
+    return runner_.once<StudyRun>(
+        "runs", {key(method, mesh), [&] { return made_run(method, mesh); }}, [this](const StudyRun& known) {
+          return known.seconds.empty() || known.seconds.front() >= 0.9 * extent_.time_limit;
+        });
   }
 
   /// Why a curve should have no further run, or nothing. `next` is the run that would come.
@@ -150,24 +174,28 @@ class Computation {
 
   void make_curves() {
     plans_ = study_curves(what_, extent_, spec_.time.output_interval, quick_);
-    std::size_t all = 0;
+    std::vector<StudyPoint<CurveRuns>> points;
     for (std::size_t m = 0; m + 1 < meshes_.size(); ++m)
       for (const CurvePlan& plan : plans_) {
-        tasks_.push_back({&plan, &meshes_[m], {}, {}});
-        all += plan.points.size();
+        tasks_.push_back({&plan, &meshes_[m], {}});
+        const CurveTask task = tasks_.back();
+        points.push_back(
+            {fmt::format("{}, {} elements, {}", plan.label, task.mesh->elements, quick_ ? "quick" : "full"),
+             [this, task] { return made_curve(*task.plan, *task.mesh); },
+             static_cast<double>(points.size())});
       }
-    std::atomic<std::size_t> done = 0;
-    say("errors", 0, all);
-    for_each_in_parallel(tasks_.size(), [&](std::size_t k) {
-      Task& task = tasks_[tasks_.size() - 1 - k];
-      for (const MethodSpec& method : task.plan->points) {
-        if (!task.runs.empty()) task.ending = ending(task.runs, *task.mesh, method);
-        if (!task.ending.empty()) break;
-        task.runs.push_back(make_run(method, *task.mesh));
-        say("errors", ++done, all);
-      }
-      say("errors", done += task.plan->points.size() - task.runs.size(), all);
-    });
+    std::vector<CurveRuns> curves = runner_.run("errors", points);
+    for (std::size_t k = 0; k < tasks_.size(); ++k) tasks_[k].made = std::move(curves[k]);
+  }
+
+  CurveRuns made_curve(const CurvePlan& plan, const Mesh& mesh) {
+    CurveRuns curve;
+    for (const MethodSpec& method : plan.points) {
+      if (!curve.runs.empty()) curve.ending = ending(curve.runs, mesh, method);
+      if (!curve.ending.empty()) break;
+      curve.runs.push_back(make_run(method, mesh));
+    }
+    return curve;
   }
 
   WorkPrecision collect() {
@@ -178,15 +206,15 @@ class Computation {
     study.end = spec_.time.end;
     study.length = spec_.cable.length;
     study.fastest_frequency = fastest_frequency_at_start(spec_);
-    for (Task& task : tasks_) {
+    for (CurveTask& task : tasks_) {
       StudyCurve& curve = study.curves.emplace_back();
       curve.label = task.plan->label;
       curve.method = task.plan->method->name;
       curve.family = task.plan->method->family;
       curve.elements = task.mesh->elements;
       curve.stated_order = task.plan->stated_order;
-      curve.ending = task.ending;
-      for (StudyRun& run : task.runs) {
+      curve.ending = task.made.ending;
+      for (StudyRun& run : task.made.runs) {
         curve.runs.push_back(study.runs.size());
         study.runs.push_back(std::move(run));
       }
@@ -236,42 +264,44 @@ class Computation {
   }
 
   void time_runs(WorkPrecision& study) {
-    std::size_t done = 0;
+    std::vector<StudyPoint<std::vector<double>>> points;
+    std::vector<StudyRun*> timed;
     for (StudyRun& run : study.runs) {
-      if (run.seconds.empty()) run.seconds = journal_.find_seconds(run);
-      // What was out of time once would be so again.
-      if (run.seconds.empty() && run.outcome != Outcome::out_of_time) {
-        Case spec = on_mesh(run.elements);
-        spec.method = run.method;
-        std::vector<double> seconds;
-        for (int wanted = 1; std::ssize(seconds) < wanted;) {
-          seconds.push_back(integrate(spec).solve_seconds);
-          if (seconds.size() == 1) wanted = repeats(run, seconds.front());
-        }
-        run.seconds = std::move(seconds);
-        journal_.add_seconds(run);
-      }
-      say("timing", ++done, study.runs.size());
+      if (run.outcome == Outcome::out_of_time) continue;  // it would be so again
+      timed.push_back(&run);
+      points.push_back({fmt::format("{} on {} elements, {} times", encode(run.method).dump(), run.elements,
+                                    extent_.repeats),
+                        [this, &run] { return measured_seconds(run); }});
     }
+    const std::vector<std::vector<double>> seconds = runner_.run("timing", points, Company::alone);
+    for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->seconds = seconds[k];
+  }
+
+  std::vector<double> measured_seconds(const StudyRun& run) const {
+    Case spec = on_mesh(run.elements);
+    spec.method = run.method;
+    std::vector<double> seconds;
+    for (int wanted = 1; std::ssize(seconds) < wanted;) {
+      seconds.push_back(integrate(spec).solve_seconds);
+      if (seconds.size() == 1) wanted = repeats(run, seconds.front());
+    }
+    return seconds;
   }
 
   Case spec_;
   WorkPrecisionSpec what_;
   StudyExtent extent_;
   bool quick_;
-  StudyJournal& journal_;
-  const StudyProgress& progress_;
-  std::mutex saying_;
+  Runner& runner_;
   std::vector<Mesh> meshes_;  // the last one is that of the converged solution
   std::vector<CurvePlan> plans_;
-  std::vector<Task> tasks_;
+  std::vector<CurveTask> tasks_;
 };
 
 }  // namespace
 
-WorkPrecision run_work_precision(const Case& spec, bool quick, StudyJournal& journal,
-                                 const StudyProgress& progress) {
-  return Computation(spec, quick, journal, progress).make();
+WorkPrecision run_work_precision(const Case& spec, bool quick, Runner& runner) {
+  return Computation(spec, quick, runner).make();
 }
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 #include "engine/integrate/method_info.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/run/provenance.h"
+#include "engine/study/reference/certified_reference.h"
 #include "engine/study/reference/error_norms.h"
 
 namespace plumb {
@@ -31,20 +32,6 @@ struct StudyRun {
   double work_seconds() const;
   /// "step 5e-4 s", "rtol 1e-8": what was varied along the curve.
   std::string setting() const;
-};
-
-/// A reference that two unlike methods of high order agree on.
-struct CertifiedReference {
-  int elements = 0;
-  std::string first;           ///< method and settings whose trajectory serves as the reference
-  std::string second;          ///< the one it was held against
-  double agreement = -1;       ///< greatest distance of their tips, m; -1: one of them failed
-  double smallest_error = -1;  ///< the smallest error drawn against it, m; -1: none
-  /// True if the two agree to a tenth of the smallest error drawn. Otherwise `floor` is drawn.
-  bool certified = false;
-  double floor =
-      0;  ///< m: errors below it mean nothing. Ten times the agreement, or the mesh error if greater
-  std::string why_not = {};  ///< in words, where it is not certified
 };
 
 /// The order of accuracy seen along a curve: the slope of log error over log step by least squares.

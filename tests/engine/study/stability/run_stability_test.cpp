@@ -89,7 +89,7 @@ TEST(StabilityRun, TheParameterIsVariedByReadingTheCaseAgain) {
   LoadedCase bad = tiny_stability_case();
   bad.source.file.text += "[[probe]]\nname = \"a\"\nat = \"f/5\"\n";
   bad.spec.stability->parameter_values = {5, 6};
-  EXPECT_THROW(run_stability(bad), InputError) << "a probe beyond the end at f = 6";
+  EXPECT_THROW(run_stability(bad, InMemory()), InputError) << "a probe beyond the end at f = 6";
 }
 
 TEST(StabilityRun, WhatIsPredictedGoesWithTheMethod) {
@@ -97,7 +97,7 @@ TEST(StabilityRun, WhatIsPredictedGoesWithTheMethod) {
   loaded.spec.stability->methods = {"bdf", "trapezoidal", "arkode-erk", "cvode-bdf"};
   loaded.spec.stability->limit_methods.clear();
   std::map<std::string, LimitKind> kinds;
-  const Stability study = run_stability(loaded);
+  const Stability study = run_stability(loaded, InMemory());
   for (const ModeAmplification& mode : study.amplifications)
     EXPECT_NEAR(mode.measured, mode.predicted, 3e-3 * std::max(1.0, mode.predicted))
         << mode.label << ", " << mode.steps_a_period << " steps a period";
@@ -156,7 +156,7 @@ TEST(StabilityRun, ARunOutOfTimeIsKeptWithItsReason) {
   LoadedCase loaded = tiny_stability_case("time_limit = 1e-9\n");
   loaded.spec.stability->methods = {"rk4"};
   loaded.spec.stability->limit_methods.clear();
-  const Stability study = run_stability(loaded);
+  const Stability study = run_stability(loaded, InMemory());
   const StabilityPoint& first = study.maps.front().points.front();
   EXPECT_EQ(first.outcome, Outcome::out_of_time);
   EXPECT_NE(first.message.find("the time allowed"), std::string::npos) << first.message;
@@ -166,14 +166,19 @@ TEST(StabilityRun, ProgressNamesThePartsAndCanStopTheStudy) {
   LoadedCase loaded = tiny_stability_case();
   loaded.spec.stability->methods = {"rk4"};
   std::vector<std::string> parts;
-  run_stability(loaded, [&](const std::string& part, double share) {
+  Journal journal;
+  Runner runner(journal, [&](const std::string& part, double share) {
     EXPECT_GE(share, 0);
     EXPECT_LE(share, 1);
     if (parts.empty() || parts.back() != part) parts.push_back(part);
   });
-  EXPECT_EQ(parts, (std::vector<std::string>{"references", "maps", "critical steps", "amplification"}))
+  run_stability(loaded, runner);
+  EXPECT_EQ(parts, (std::vector<std::string>{"references", "predicted limits", "maps", "critical steps",
+                                             "amplification"}))
       << "rk4 has no energy that is drawn";
-  EXPECT_THROW(run_stability(loaded, [](const std::string&, double) { throw Interrupted(); }), Interrupted);
+  Journal another;
+  Runner stopped(another, [](const std::string&, double) { throw Interrupted(); });
+  EXPECT_THROW(run_stability(loaded, stopped), Interrupted);
 }
 
 TEST(Until, KeepsWhatARunWouldHaveBeen) {

@@ -3,6 +3,7 @@
 #include "engine/case/case_source.h"
 #include "engine/study/stability/run_stability.h"
 #include "engine/study/stability/stability_file.h"
+#include "tests/engine/study/in_memory.h"
 
 namespace plumb {
 
@@ -48,7 +49,7 @@ limit_methods = ["velocity-verlet"]
 inline const StabilityStudyFile& tiny_stability() {
   static const StabilityStudyFile study = [] {
     const LoadedCase loaded = tiny_stability_case();
-    return StabilityStudyFile{loaded, run_stability(loaded)};
+    return StabilityStudyFile{loaded, run_stability(loaded, InMemory())};
   }();
   return study;
 }

@@ -11,6 +11,7 @@
 #include "engine/study/sweep/sweep_json.h"
 #include "tests/engine/small_case.h"
 #include "tests/engine/study/changed_json.h"
+#include "tests/engine/study/in_memory.h"
 #include "tests/engine/study/sweep/tiny_sweep.h"
 
 namespace plumb {
@@ -22,7 +23,7 @@ long wrongly_accurate(const Sweep& sweep) {
 }
 
 TEST(Sweep, EveryCaseIsJudgedFiniteAndWithoutFault) {
-  const Sweep sweep = run_sweep(tiny_sweep_case());
+  const Sweep sweep = run_sweep(tiny_sweep_case(), InMemory());
   ASSERT_EQ(sweep.runs.size(), 60U);
   std::set<Outcome> seen;
   for (std::size_t k = 0; k < sweep.runs.size(); ++k) {
@@ -46,8 +47,8 @@ TEST(Sweep, AJudgeThatCallsEveryRunAccurateIsFoundOut) {
   const auto blind = [](const Trajectory& run, const Trajectory& reference, double, double horizon) {
     return judge(run, reference, std::numeric_limits<double>::max(), horizon);
   };
-  const Sweep honest = run_sweep(tiny_sweep_case());
-  const Sweep sweep = run_sweep(tiny_sweep_case(), {}, blind);
+  const Sweep honest = run_sweep(tiny_sweep_case(), InMemory());
+  const Sweep sweep = run_sweep(tiny_sweep_case(), InMemory(), blind);
   long found_out = 0;
   for (std::size_t k = 0; k < honest.runs.size(); ++k) {
     // On a busy machine one of the two may be out of time.
@@ -67,12 +68,12 @@ TEST(Sweep, AJudgeThatLooksAtTheWrongRunIsFoundOut) {
     if (run.outcome == Outcome::completed) judgement = judge(reference, reference, tolerance, horizon);
     return judgement;
   };
-  EXPECT_GT(wrongly_accurate(run_sweep(tiny_sweep_case(), {}, mistaken)), 0);
+  EXPECT_GT(wrongly_accurate(run_sweep(tiny_sweep_case(), InMemory(), mistaken)), 0);
 }
 
 TEST(Sweep, ARunIsRepeatedAloneByItsNumberOrItsOverrides) {
   const LoadedCase loaded = tiny_sweep_case();
-  const Sweep sweep = run_sweep(loaded);
+  const Sweep sweep = run_sweep(loaded, InMemory());
   long compared = 0;
   for (const SweepRun& run : sweep.runs) {
     if (run.outcome == Outcome::out_of_time || run.number % 7 != 0) continue;
@@ -117,7 +118,8 @@ TEST(Sweep, StudiesOfTheFileDoNotHinderItsCases) {
   // Its steps are beyond some of the ends that are drawn, which matters to that study alone.
   const Sweep sweep =
       run_sweep(tiny_sweep_case({"time.end=10", "time.output_interval=1", "study.work_precision.end=5",
-                                 "study.work_precision.largest_step=4"}));
+                                 "study.work_precision.largest_step=4"}),
+                InMemory());
   for (const SweepRun& run : sweep.runs) EXPECT_EQ(run.fault, "") << run.number;
 }
 
@@ -156,10 +158,14 @@ TEST(SweepJson, HoldsAllOfASweep) {
   EXPECT_EQ(again.provenance, sweep.provenance);
 }
 
-TEST(SweepJson, WhatIsNotFiniteIsNoNumberInIt) {
-  const std::string text = encode_sweep(made_sweep());
-  EXPECT_EQ(text.find("inf"), std::string::npos);
-  EXPECT_NE(text.find("\"error\": null"), std::string::npos) << text;
+TEST(SweepJson, WhatIsNotFiniteIsToldFromWhatIsNotThere) {
+  Sweep sweep = made_sweep();
+  sweep.runs[0].error = NAN;
+  sweep.runs[1].error = -INFINITY;
+  const Sweep again = decode_sweep(encode_sweep(sweep), "study.json");
+  EXPECT_TRUE(std::isnan(again.runs[0].error));
+  EXPECT_EQ(again.runs[1].error, -INFINITY);
+  EXPECT_TRUE(sweep_run_json(sweep.runs[0]).at("error").is_null()) << "as results.json has it";
 }
 
 TEST(SweepJson, AnyValueThatWasChangedIsReadOrRefusedInWords) {
@@ -178,14 +184,15 @@ TEST(SweepJson, AnyValueThatWasChangedIsReadOrRefusedInWords) {
 TEST(SweepJson, AnythingElseIsRefused) {
   const std::string text = encode_sweep(made_sweep());
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-           {"\"kind\": \"sweep\"", "\"kind\": \"sweeps\""},
-           {"\"version\": 1", "\"version\": 2"},
-           {"\"cases\": 2", "\"cases\": 3"},
-           {"\"tolerance\": 0.001", "\"tolerance\": -1"},
-           {"\"number\": 1", "\"number\": 5"},
-           {"\"outcome\": \"accurate\"", "\"outcome\": \"fine\""},
+           {"\"kind\":\"sweep\"", "\"kind\":\"sweeps\""},
+           {"\"version\":2", "\"version\":3"},
+           {"\"version\":2", "\"version\":1"},
+           {"\"cases\":2", "\"cases\":3"},
+           {"\"tolerance\":0.001", "\"tolerance\":-1"},
+           {"\"number\":1", "\"number\":5"},
+           {"\"outcome\":\"accurate\"", "\"outcome\":\"fine\""},
            {"\"fault\"", "\"falt\""},
-           {"\"finite\": false", "\"finite\": 7"},
+           {"\"finite\":false", "\"finite\":7"},
        }) {
     try {
       decode_sweep(with(text, from, to), "study.json");

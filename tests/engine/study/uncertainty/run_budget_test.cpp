@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/engine/study/in_memory.h"
+
 namespace plumb {
 namespace budget_run_test {
 
@@ -29,7 +31,7 @@ std::string digits(double value, int count) {
 }
 
 TEST(ErrorBudget, OfThePublishedPendulumIsThatOfAnIndependentProgram) {
-  const ErrorBudget budget = run_budget(quick_pendulum());
+  const ErrorBudget budget = run_budget(quick_pendulum(), InMemory());
   ASSERT_EQ(budget.left_out, "");
   ASSERT_EQ(budget.series.size(), 3U);
   ASSERT_EQ(budget.series[0].column, "mid.y");
@@ -52,7 +54,7 @@ TEST(ErrorBudget, OfThePublishedPendulumIsThatOfAnIndependentProgram) {
 }
 
 TEST(ErrorBudget, TheBaseRepeatsTheReferenceToItsRounding) {
-  const ErrorBudget budget = run_budget(quick_pendulum());
+  const ErrorBudget budget = run_budget(quick_pendulum(), InMemory());
   ASSERT_TRUE(budget.base.completed()) << budget.base.message;
   EXPECT_EQ(budget.reference_times, 101U);
   double greatest = 0;
@@ -66,7 +68,7 @@ TEST(ErrorBudget, AnItemThatFailsIsAResultWithoutDistances) {
   LoadedCase loaded = quick_pendulum();
   loaded.spec.error_budget->items = {
       {"too long a step", {"method.name=rk4", "method.step=0.02"}, "beyond its limit of stability", false}};
-  const ErrorBudget budget = run_budget(loaded);
+  const ErrorBudget budget = run_budget(loaded, InMemory());
   const BudgetRun& run = budget.entries.at(0).run;
   EXPECT_NE(run.outcome, Outcome::completed);
   EXPECT_TRUE(run.from_base.empty());
@@ -76,7 +78,7 @@ TEST(ErrorBudget, AnItemThatFailsIsAResultWithoutDistances) {
 
 TEST(ErrorBudget, OfAnotherCableIsNotMade) {
   LoadedCase loaded = load_case(PLUMB_SOURCE_DIR "/cases/pendulum.toml", {"parameters.f=4"});
-  const ErrorBudget budget = run_budget(loaded);
+  const ErrorBudget budget = run_budget(loaded, InMemory());
   EXPECT_EQ(budget.left_out, "the reference is for another cable: EA is 62.5 N, that of the reference 40 N");
   EXPECT_TRUE(budget.entries.empty());
 }

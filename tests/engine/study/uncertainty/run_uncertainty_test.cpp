@@ -8,6 +8,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/study/uncertainty/assessment.h"
 #include "engine/study/uncertainty/uncertainty_parts.h"
+#include "tests/engine/study/in_memory.h"
 
 namespace plumb {
 namespace uncertainty_run_test {
@@ -81,7 +82,7 @@ source = "a guess"
 )";
 
 TEST(RunUncertainty, SamplingFindsTheSpreadOfALinearModel) {
-  const Uncertainty found = run_uncertainty(run_of(falling(sampled)));
+  const Uncertainty found = run_uncertainty(run_of(falling(sampled)), InMemory());
   ASSERT_EQ(found.series.size(), 1U);
   const SeriesUncertainty& series = found.series[0];
   const UncertaintyPart& input = series.parts.at(3);
@@ -106,14 +107,15 @@ TEST(RunUncertainty, IsTheSameForTheSameSeed) {
   const auto values = [](const std::string& seed) {
     std::string text = sampled;
     text.replace(text.find("seed = 3"), 8, "seed = " + seed);
-    return run_uncertainty(run_of(falling(text))).series.at(0).parts.at(3).values;
+    return run_uncertainty(run_of(falling(text)), InMemory()).series.at(0).parts.at(3).values;
   };
   EXPECT_EQ(values("3"), values("3"));
   EXPECT_NE(values("3"), values("4"));
 }
 
 TEST(RunUncertainty, WhatIsNotAskedForIsNotEstimated) {
-  const Uncertainty found = run_uncertainty(run_of(falling("[uncertainty]\nnumerical = false\n")));
+  const Uncertainty found =
+      run_uncertainty(run_of(falling("[uncertainty]\nnumerical = false\n")), InMemory());
   const SeriesUncertainty& series = found.series.at(0);
   EXPECT_EQ(found.runs, 0);
   for (const std::size_t k : {0U, 1U, 3U}) {
@@ -131,7 +133,7 @@ TEST(RunUncertainty, HasATimeBetweenOutputsOnlyWhereInterpolationCanBeTold) {
   const auto times = [](const std::string& interval) {
     CaseSource source = falling("[uncertainty]\nnumerical = false\n");
     source.overrides = {"time.output_interval=" + interval};
-    return run_uncertainty(run_of(source)).series.at(0).times;
+    return run_uncertainty(run_of(source), InMemory()).series.at(0).times;
   };
   EXPECT_EQ(times("0.15"), (std::vector<double>{0, 0.5, 1})) << "from eight outputs";
   EXPECT_EQ(times("0.17"), (std::vector<double>{0, 1})) << "seven are too few";
@@ -154,7 +156,8 @@ key = "cable.density"
 spread = 1
 relative = true
 source = "nobody knows"
-)")));
+)")),
+                                            InMemory());
   EXPECT_GT(found.sampling.failures.size(), 0U) << "some densities are below 0";
   EXPECT_EQ(found.sampling.completed + std::ssize(found.sampling.failures), 20);
   EXPECT_NE(found.sampling.failures.at(0).find("cable.density = -"), std::string::npos)
@@ -164,7 +167,7 @@ source = "nobody knows"
 TEST(RunUncertainty, ARunThatDidNotCompleteHasNone) {
   plumb::Run run = run_of(falling("[uncertainty]\n"));
   run.trajectory.outcome = Outcome::diverged;
-  const Uncertainty found = run_uncertainty(run);
+  const Uncertainty found = run_uncertainty(run, InMemory());
   EXPECT_TRUE(found.series.empty());
   EXPECT_EQ(found.left_out, std::vector<std::string>{"book: mid.y: the run did not complete"});
 }
@@ -172,7 +175,7 @@ TEST(RunUncertainty, ARunThatDidNotCompleteHasNone) {
 TEST(AssessmentFile, IsReadBackAsItWas) {
   const plumb::Run run = run_of(falling(sampled));
   Assessment assessment;
-  assessment.uncertainty = run_uncertainty(run);
+  assessment.uncertainty = run_uncertainty(run, InMemory());
   const std::string text = encode_assessment(assessment);
   EXPECT_EQ(encode_assessment(decode_assessment(text, "a.json", run)), text);
 }
@@ -180,7 +183,7 @@ TEST(AssessmentFile, IsReadBackAsItWas) {
 TEST(AssessmentFile, OfAnotherRunOrDamagedIsRefused) {
   const plumb::Run run = run_of(falling("[uncertainty]\nnumerical = false\n"));
   Assessment assessment;
-  assessment.uncertainty = run_uncertainty(run);
+  assessment.uncertainty = run_uncertainty(run, InMemory());
   const std::string text = encode_assessment(assessment);
   const auto refused = [&](const std::string& damaged, const plumb::Run& of) -> std::string {
     try {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/study/variants/run_variants.h"
+#include "tests/engine/study/in_memory.h"
 
 namespace plumb {
 namespace failure_cases_test {
@@ -24,7 +25,7 @@ class FailureCase : public testing::TestWithParam<std::string> {};
 
 TEST_P(FailureCase, EveryVariantEndsAsExpectedWithItsFigures) {
   const fs::path path = fs::path(PLUMB_SOURCE_DIR) / "cases/failure" / (GetParam() + ".toml");
-  const VariantsStudy study = run_variants(load_case(path.string()));
+  const VariantsStudy study = run_variants(load_case(path.string()), InMemory());
   EXPECT_FALSE(study.result.variants.empty());
   for (const VariantResult& variant : study.result.variants) {
     EXPECT_TRUE(variant.outcome_met())

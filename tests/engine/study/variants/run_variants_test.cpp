@@ -7,6 +7,7 @@
 #include "engine/study/variants/variants_file.h"
 #include "tests/engine/small_case.h"
 #include "tests/engine/study/changed_json.h"
+#include "tests/engine/study/in_memory.h"
 
 namespace plumb {
 namespace variants_run_test {
@@ -33,7 +34,7 @@ value = 0
 within = 1
 source = "none"
 )";
-  return run_variants(load_case(source));
+  return run_variants(load_case(source), InMemory());
 }
 
 TEST(RunVariants, FindsOutcomesAndFiguresInTheOrderOfTheCase) {
@@ -88,12 +89,14 @@ TEST(VariantsFile, RefusesWhatIsNotOne) {
     return why == "accepted" ? "" : why;
   });
   for (const auto& [from, to, says] : std::vector<std::array<std::string, 3>>{
-           {"\"kind\":\"variants\"", "\"kind\":\"sweep\"", "no study of variants"},
-           {"\"version\":1", "\"version\":2", "its version is 2"},
-           {"\"outcome\":\"completed\"", "\"outcome\":\"fine\"", "'fine' is unknown"},
+           {"\"kind\":\"variants\"", "\"kind\":\"sweep\"", "no study of the kind variants"},
+           {"\"version\":2", "\"version\":3", "its version is 3"},
+           {"\"version\":2", "\"version\":1", "its version is 1, this program reads 2"},
+           {"\"outcome\":\"completed\"", "\"outcome\":\"fine\"", "'fine' is no word"},
            {"\"name\":\"as it is\"", "\"name\":\"other\"", "not those of its case"},
            {"\"time\":[0.0,", "\"time\":[", "not one an output"},
-           {"\"figures\":[{", "\"figures\":[{},{", "not those of its case"}})
+           {"\"figures\":[{", R"("figures":[{"quantity":"x","unit":"m","found":1},{)",
+            "not those of its case"}})
     EXPECT_NE(fault(with(text, from, to)).find(says), std::string::npos) << fault(with(text, from, to));
 }
 

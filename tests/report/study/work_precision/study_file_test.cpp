@@ -6,6 +6,7 @@
 #include "engine/base/errors.h"
 #include "engine/study/work_precision/work_precision_file.h"
 #include "report/study/work_precision/work_precision_json.h"
+#include "tests/engine/study/in_memory.h"
 #include "tests/engine/study/work_precision/tiny_study.h"
 #include "tests/report/program/program.h"
 
@@ -16,8 +17,7 @@ namespace study_file_test {
 const Study& tiny_study() {
   static const Study study = [] {
     const LoadedCase loaded = tiny_study_case();
-    StudyJournal journal;
-    return Study{loaded, run_work_precision(loaded.spec, false, journal)};
+    return Study{loaded, run_work_precision(loaded.spec, false, InMemory())};
   }();
   return study;
 }

@@ -1,4 +1,4 @@
-#include "engine/study/work_precision/journal.h"
+#include "engine/study/journal.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,87 +9,17 @@
 
 #include <cerrno>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
 #include "engine/base/parse_json.h"
-#include "engine/run/method_json.h"
 #include "engine/run/provenance.h"
-#include "engine/run/stored_parts.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string run_key(const MethodSpec& method, int elements) {
-  std::string key = fmt::format("{} {}", elements, method.name);
-  if (method.step) key += fmt::format(" step={}", *method.step);
-  if (method.rtol) key += fmt::format(" rtol={} atol={}", *method.rtol, method.atol.value_or(0));
-  for (const auto& [name, value] : method.parameters) key += fmt::format(" {}={}", name, value);
-  return key;
-}
-
-/// What is not finite has no number in JSON.
-double number(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-Json norms_json(const ErrorNorms& norms) {
-  return {norms.tip_max, norms.tip_rms, norms.curve, norms.energy};
-}
-
-ErrorNorms norms_of(const Json& json) {
-  return {number(json.at(0)), number(json.at(1)), number(json.at(2)), number(json.at(3))};
-}
-
-Json run_json(const StudyRun& run) {
-  Json counters = Json::array();
-  for (const auto& [name, part] : stored_counters()) counters.push_back(run.counters.*part);
-  return {{"method", method_to_json(run.method)},
-          {"elements", run.elements},
-          {"outcome", word(run.outcome)},
-          {"message", run.message},
-          {"counters", counters},
-          {"time_error", norms_json(run.time_error)},
-          {"total_error", norms_json(run.total_error)}};
-}
-
-StudyRun run_of(const Json& json) {
-  StudyRun run;
-  run.method = method_from_json(json.at("method"));
-  run.elements = json.at("elements");
-  run.outcome = stored_outcome(json.at("outcome"));
-  run.message = json.at("message");
-  std::size_t k = 0;
-  for (const auto& [name, part] : stored_counters()) run.counters.*part = json.at("counters").at(k++);
-  run.time_error = norms_of(json.at("time_error"));
-  run.total_error = norms_of(json.at("total_error"));
-  return run;
-}
-
-Json reference_json(const StudyReference& reference) {
-  const CertifiedReference& c = reference.certificate;
-  return {{"method", method_to_json(reference.method)},
-          {"elements", c.elements},
-          {"first", c.first},
-          {"second", c.second},
-          {"agreement", c.agreement},
-          {"completed", !reference.trajectory.times.empty()}};
-}
-
-StudyReference reference_of(const Json& json) {
-  StudyReference reference;
-  // One that gave no trajectory is marked by the lack of a method.
-  if (json.at("completed").get<bool>()) reference.method = method_from_json(json.at("method"));
-  reference.certificate.elements = json.at("elements");
-  reference.certificate.first = json.at("first");
-  reference.certificate.second = json.at("second");
-  reference.certificate.agreement = number(json.at("agreement"));
-  return reference;
-}
 
 std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -105,8 +35,13 @@ std::string check_sum(std::string_view line, const std::string& identity) {
   return fmt::format("{:08x}", add(add(0, identity + '\n'), line));
 }
 
+std::string summed_line(const std::string& key, const std::string& result, const std::string& identity) {
+  const std::string line = fmt::format("{{\"point\":{},\"result\":{}}}", text_of(key), result);
+  return fmt::format("{} {}\n", check_sum(line, identity), line);
+}
+
 std::string heading(const std::string& identity) {
-  return text_of({{"plumb_study_journal", 2}, {"identity", identity}}) + "\n";
+  return text_of({{"plumb_study_journal", 3}, {"identity", identity}}) + "\n";
 }
 
 /// Whether it has the whole heading of a journal, of any version, or was cut off within the heading that is
@@ -124,7 +59,7 @@ bool is_ours(std::string_view text, std::string_view own_heading) {
 
 }  // namespace
 
-StudyJournal::StudyJournal(std::string path, const std::string& identity)
+Journal::Journal(std::string path, const std::string& identity)
     : path_(std::move(path)), identity_(identity) {
   // A link is not followed: what it leads to is not ours to write. Nor is a pipe waited for.
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_APPEND | O_NOFOLLOW | O_NONBLOCK, 0666);
@@ -137,7 +72,7 @@ StudyJournal::StudyJournal(std::string path, const std::string& identity)
   }
 }
 
-void StudyJournal::go_on() {
+void Journal::go_on() {
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) fail("it is no file");
@@ -149,7 +84,7 @@ void StudyJournal::go_on() {
   if (status.st_nlink > 1) fail("it is there under two names, so it is left alone");
   std::size_t end_of_whole = first.size();
   for (std::size_t end; same && (end = text.find('\n', end_of_whole)) != std::string::npos;) {
-    if (!take(text.substr(end_of_whole, end - end_of_whole))) ++damaged_;
+    ++(take(text.substr(end_of_whole, end - end_of_whole), identity_) ? found_ : damaged_);
     end_of_whole = end + 1;
   }
   // A line that was cut off goes, so that the next one does not run into it.
@@ -157,7 +92,7 @@ void StudyJournal::go_on() {
   if (!same) write(first);
 }
 
-std::string StudyJournal::read(long size) const {
+std::string Journal::read(long size) const {
   constexpr long longest = 256L * 1024 * 1024;
   if (size > longest) fail("it is longer than 256 MiB");
   std::string text(static_cast<std::size_t>(size), '\0');
@@ -172,43 +107,39 @@ std::string StudyJournal::read(long size) const {
   return text.substr(0, done);
 }
 
-void StudyJournal::fail(const std::string& why) const {
+void Journal::fail(const std::string& why) const {
   throw WriteError(path_, why);
 }
 
-StudyJournal::~StudyJournal() {
+Journal::~Journal() {
   if (file_ >= 0) ::close(file_);
 }
 
-bool StudyJournal::take(const std::string& line) {
+bool Journal::take(const std::string& line, const std::string& identity) {
   if (line.size() <= sum_digits || line[sum_digits] != ' ') return false;
   const std::string text = line.substr(sum_digits + 1);
-  if (!line.starts_with(check_sum(text, identity_))) return false;
+  if (!line.starts_with(check_sum(text, identity))) return false;
   try {
     const auto json = parse_json<Json>(text, path_);
-    if (json.contains("run")) {
-      const StudyRun run = run_of(json.at("run"));
-      runs_[run_key(run.method, run.elements)] = run;
-    } else if (json.contains("seconds")) {
-      seconds_[json.at("of").get<std::string>()] = json.at("seconds").get<std::vector<double>>();
-    } else {
-      const StudyReference reference = reference_of(json.at("reference"));
-      references_[reference.certificate.elements] = reference;
-    }
+    results_[json.at("point").get<std::string>()] = text_of(json.at("result"));
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception&) {
     return false;
   }
-  ++found_;
   return true;
 }
 
-void StudyJournal::append(const std::string& json) {
-  write(fmt::format("{} {}\n", check_sum(json, identity_), json));
+void Journal::take_over(const std::string& text, const std::string& identity) {
+  const std::string first = heading(identity);
+  if (!text.starts_with(first)) return;
+  const std::lock_guard lock(guard_);
+  for (std::size_t from = first.size(), end; (end = text.find('\n', from)) != std::string::npos;
+       from = end + 1)
+    take(text.substr(from, end - from), identity);
 }
 
-void StudyJournal::write(std::string_view rest) {
+void Journal::write(std::string_view rest) {
   if (file_ < 0) return;
   while (!rest.empty()) {
     const ssize_t written = ::write(file_, rest.data(), rest.size());
@@ -218,46 +149,31 @@ void StudyJournal::write(std::string_view rest) {
   }
 }
 
-std::optional<StudyRun> StudyJournal::find_run(const MethodSpec& method, int elements) const {
+std::optional<std::string> Journal::find(const std::string& key) const {
   const std::lock_guard lock(guard_);
-  const auto found = runs_.find(run_key(method, elements));
-  return found != runs_.end() ? std::optional(found->second) : std::nullopt;
+  const auto found = results_.find(key);
+  return found != results_.end() ? std::optional(found->second) : std::nullopt;
 }
 
-void StudyJournal::add_run(const StudyRun& run) {
+void Journal::add(const std::string& key, const std::string& result) {
   const std::lock_guard lock(guard_);
-  append(text_of({{"run", run_json(run)}}));
-  runs_[run_key(run.method, run.elements)] = run;
+  write(summed_line(key, result, identity_));
+  results_[key] = result;
 }
 
-std::vector<double> StudyJournal::find_seconds(const StudyRun& run) const {
+bool Journal::empty() const {
   const std::lock_guard lock(guard_);
-  const auto found = seconds_.find(run_key(run.method, run.elements));
-  return found != seconds_.end() ? found->second : std::vector<double>();
+  return results_.empty();
 }
 
-void StudyJournal::add_seconds(const StudyRun& run) {
+std::string Journal::text(const std::string& identity) const {
   const std::lock_guard lock(guard_);
-  const std::string key = run_key(run.method, run.elements);
-  append(text_of({{"of", key}, {"seconds", run.seconds}}));
-  seconds_[key] = run.seconds;
+  std::string text = heading(identity);
+  for (const auto& [key, result] : results_) text += summed_line(key, result, identity);
+  return text;
 }
 
-std::optional<StudyReference> StudyJournal::find_reference(int elements) const {
-  const std::lock_guard lock(guard_);
-  const auto found = references_.find(elements);
-  return found != references_.end() ? std::optional(found->second) : std::nullopt;
-}
-
-void StudyJournal::add_reference(const StudyReference& reference) {
-  const std::lock_guard lock(guard_);
-  append(text_of({{"reference", reference_json(reference)}}));
-  StudyReference kept = reference;
-  kept.trajectory = {};
-  references_[reference.certificate.elements] = kept;
-}
-
-void StudyJournal::remove() {
+void Journal::remove() {
   // Another file may have come to be there.
   struct stat own {
   }, there{};
@@ -266,10 +182,11 @@ void StudyJournal::remove() {
     ::unlink(path_.c_str());
 }
 
-std::string study_identity(const CaseSource& source, bool quick) {
+std::string study_identity(const CaseSource& source) {
   std::string text = source.file.text;
   for (const std::string& override_text : source.overrides) text += '\0' + override_text;
-  text += quick ? " quick" : " full";
+  for (const NamedText& reference : source.references) text += '\0' + reference.text;
+  for (const NamedText& run : source.given_runs) text += '\0' + run.text;
   for (const auto& [name, value] : provenance_now())
     if (name == "revision" || name == "compiler" || name == "flags" || name == "processor")
       text += '\0' + value;

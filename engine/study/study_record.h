@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/case/case_source.h"
+
+namespace plumb {
+
+/// What every study.json has: its kind, the version of its form, the case that it was made of, and beside
+/// these, in `body`, what its kind found.
+struct StudyRecord {
+  LoadedCase loaded;
+  nlohmann::ordered_json body;
+};
+
+/// The text of study.json, with its check sum.
+std::string encode_study_record(const char* kind, int version, const CaseSource& source,
+                                const nlohmann::ordered_json& body);
+
+/// Reads it back, and its case again from the texts. Throws InputError, naming `file`, for a text that is
+/// damaged, of another kind, of a version beyond `version` or before `oldest`, or whose case is invalid.
+StudyRecord decode_study_record(const std::string& text, const std::string& file, const char* kind,
+                                int version, int oldest = 1);
+
+}  // namespace plumb

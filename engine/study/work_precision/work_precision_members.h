@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/base/codec.h"
+#include "engine/run/method_json.h"
+#include "engine/run/stored_parts.h"
+#include "engine/study/reference/certified_reference.h"
+#include "engine/study/work_precision/work_precision.h"
+
+/// What the journal keeps of a work-precision study.
+namespace plumb {
+
+template <class Archive>
+void members(Archive& a, ErrorNorms& norms) {
+  a("tip_max", norms.tip_max);
+  a("tip_rms", norms.tip_rms);
+  a("curve", norms.curve);
+  a("energy", norms.energy);
+}
+
+template <class Archive>
+void members(Archive& a, StudyRun& run) {
+  a("method", run.method);
+  a("elements", run.elements);
+  a("outcome", run.outcome);
+  a("message", run.message);
+  a("counters", run.counters);
+  a("seconds", run.seconds);
+  a("time_error", run.time_error);
+  a("total_error", run.total_error);
+}
+
+/// Without its trajectory, and as nothing has been held against it yet. Without a method where none
+/// completed it.
+template <class Archive>
+void members(Archive& a, StudyReference& reference) {
+  a("method", reference.method);
+  a("elements", reference.certificate.elements);
+  a("first", reference.certificate.first);
+  a("second", reference.certificate.second);
+  a("agreement", reference.certificate.agreement);
+}
+
+}  // namespace plumb

@@ -1,0 +1,42 @@
+#include "report/program/kept_points.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "engine/base/file_text.h"
+
+namespace plumb {
+namespace {
+
+constexpr const char* points_file_name = "points.jsonl";
+
+}  // namespace
+
+KeptPoints::KeptPoints(const std::string& folder, const CaseSource& source, Talk& talk)
+    : identity_(study_identity(source)), journal_(folder + ".unfinished.jsonl", identity_) {
+  if (journal_.found() > 0) talk.line("going on with what " + journal_.path() + " holds");
+  if (journal_.damaged() > 0)
+    talk.remark(fmt::format("{} has {}; what is missing is done again", journal_.path(),
+                            counted(static_cast<long>(journal_.damaged()), "damaged line", "damaged lines")));
+}
+
+void KeptPoints::take_over_from_run(const std::string& folder) {
+  const std::filesystem::path file = std::filesystem::path(folder) / points_file_name;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return;
+  const FileText read = read_file_text(file.string());
+  if (read.failure.empty()) journal_.take_over(read.text, identity_);
+}
+
+void KeptPoints::write(OutputFolder& folder) const {
+  if (!journal_.empty()) folder.write(points_file_name, journal_.text(identity_));
+}
+
+void KeptPoints::say_kept(Talk& talk) const {
+  talk.end_progress();
+  if (!journal_.empty())
+    talk.remark("what is done is kept in " + journal_.path() + "; the same command goes on from there");
+}
+
+}  // namespace plumb

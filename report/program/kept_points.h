@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "engine/run/output_folder.h"
+#include "engine/study/runner.h"
+#include "report/program/console.h"
+
+namespace plumb {
+
+/// What the studies of one command have computed, for an output folder: kept beside it while it is made, so
+/// that the same command goes on where it was interrupted.
+class KeptPoints {
+ public:
+  /// Says what it goes on with. Throws OutputError where it cannot be kept.
+  KeptPoints(const std::string& folder, const CaseSource& source, Talk& talk);
+
+  /// Takes over what `plumb run` has computed of the same case into its output folder.
+  void take_over_from_run(const std::string& folder);
+
+  Journal& journal() { return journal_; }
+
+  /// Puts them into the folder, for studies to come.
+  void write(OutputFolder& folder) const;
+
+  /// Says that they stay, for the same command to go on from.
+  void say_kept(Talk& talk) const;
+
+  /// The folder is in place.
+  void remove() { journal_.remove(); }
+
+ private:
+  std::string identity_;
+  Journal journal_;
+};
+
+}  // namespace plumb
