@@ -17,6 +17,8 @@ Context::~Context() {
 Vector make_vector(Eigen::Index size, const Context& context) {
   Vector y(N_VNew_Serial(size, context));
   if (!y) throw std::bad_alloc();
+  // Sums of many vectors at once, where there would be a call for each pair: vectors here are short.
+  N_VEnableFusedOps_Serial(y.get(), SUNTRUE);
   part(y.get(), 0, size).setZero();
   return y;
 }
