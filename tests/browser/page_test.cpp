@@ -16,14 +16,15 @@
 #include "tests/report/program.h"
 
 // The page of a run in Debian's Chromium. All tests read the same three pages, which the first one makes: of
-// a run of the pendulum, of one that failed, and of one with hostile texts.
+// a run of the pendulum, of one that failed, and of one with hostile texts. They do so in one browser, which
+// the second one leaves for them, or each in its own where there is none.
 
 namespace plumb {
 namespace {
 
 constexpr int tab_key = 9, left_key = 37, right_key = 39;
 
-const fs::path pages = PLUMB_PAGES;
+const fs::path pages = PLUMB_PAGES, browser = pages.string() + "_browser";
 
 /// Of those that run one after another in one process.
 struct Shared {
@@ -100,11 +101,29 @@ TEST(Pages, AreMade) {
   write_text(pages / "hostile.html", hostile_page());
 }
 
+TEST(Pages, HaveABrowserThatAnotherProcessCanUse) {
+  fs::remove_all(browser);
+  fs::create_directories(browser);
+  try {
+    Chromium::leave_one(PLUMB_CHROMIUM, browser.string());
+  } catch (const std::exception& error) {
+    GTEST_SUCCEED() << "those that look at pages tell why it does not start: " << error.what();
+    return;
+  }
+  EXPECT_NO_THROW(Chromium(browser.string()).call("Browser.getVersion"));
+}
+
 class PageInBrowser : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     shared_ = new Shared;
     const fs::path& folder = shared_->folder.path();
+    try {
+      shared_->chromium.emplace(browser.string());
+      return;
+    } catch (const std::exception&) {
+      // None was left, or it has ended or is used.
+    }
     try {
       shared_->chromium.emplace(PLUMB_CHROMIUM, folder.string());
     } catch (const std::exception& error) {
