@@ -45,6 +45,7 @@ std::string small_pendulum() {
   replace("[960, 540]", "[320, 180]");
   replace("rtol = 1e-10", "rtol = 1e-7");
   replace("samples = 24", "samples = 6");
+  replace("cable.elements = 64", "cable.elements = 8");
   return text + R"(
 [study.work_precision]
 end = 0.2
