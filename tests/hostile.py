@@ -345,7 +345,7 @@ def folder_difference(t):
 def journal(t):
     t.path("out.unfinished.jsonl").write_bytes(changed_text(t.rng, t.good.journal))
     t.command = ["study", "solved.toml", "-o", "out"]
-    t.interrupt_after = 0.5
+    t.interrupt_after = 0.25
 
 
 def odd_word(rng):

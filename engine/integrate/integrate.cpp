@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "engine/base/interrupt.h"
 #include "engine/integrate/advice.h"
 #include "engine/integrate/methods/rigid_rod.h"
 #include "engine/integrate/monitor.h"
+#include "engine/integrate/processor_time.h"
 #include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
 
@@ -47,14 +47,6 @@ void record_constraints(const Cable& cable, const Method& method, double t, Eige
   const SupportConstraints constraints(cable.supports().spec(), cable.supports().direction(), cable.nodes());
   const Eigen::VectorXd moved = trajectory.q.back() - trajectory.q.front();
   trajectory.constraint_drift = std::max(trajectory.constraint_drift, constraints.apply(moved).norm());
-}
-
-/// Of this thread, s. Unlike time on the clock it does not depend on what else the machine does, so that
-/// neither does the outcome of a run with a time limit.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {

@@ -3,6 +3,9 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,20 +24,91 @@ void close_if_open(int& file) {
   file = -1;
 }
 
+int open_file(const std::string& path, int flags) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC, 0600);
+  if (file < 0) throw std::runtime_error(path + " cannot be opened");
+  return file;
+}
+
+// Named pipes of a folder, by which one process after another speaks to what was left there.
+std::string to_in(const std::string& folder) {
+  return folder + "/to";
+}
+std::string from_in(const std::string& folder) {
+  return folder + "/from";
+}
+
+int process_file(pid_t process) {
+  return static_cast<int>(::syscall(SYS_pidfd_open, process, 0));
+}
+
 }  // namespace
 
 Chromium::Chromium(const std::string& program, const std::string& folder) {
+  start(program, folder, [](const std::string&) {
+    int there[2], back[2];
+    if (::pipe2(there, O_CLOEXEC) != 0 || ::pipe2(back, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    return Ends{there[0], back[1], there[1], back[0]};
+  });
+}
+
+Chromium::Chromium(const std::string& folder) {
+  ::signal(SIGPIPE, SIG_IGN);
+  try {
+    lock_ = open_file(folder + "/lock", O_RDWR | O_CREAT);
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) throw std::runtime_error("another process uses it");
+    // Not to be had where nobody reads.
+    to_ = open_file(to_in(folder), O_WRONLY | O_NONBLOCK);
+    ::fcntl(to_, F_SETFL, O_WRONLY);
+    from_ = open_file(from_in(folder), O_RDONLY | O_NONBLOCK);
+    // Ends what one that was killed may have begun to say; no answer to it has a number of ours.
+    if (::write(to_, "", 1) != 1) throw std::runtime_error("Chromium has ended");
+    constexpr int processes = 100'000, calls = 10'000;
+    last_id_ = ::getpid() % processes * calls;
+    events();
+    for (const Json& target : call("Target.getTargets")["targetInfos"])
+      if (target["type"] == "page" && target["url"] != "about:blank")
+        call("Target.closeTarget", {{"targetId", target["targetId"]}});
+  } catch (...) {
+    stop();
+    throw;
+  }
+}
+
+void Chromium::leave_one(const std::string& program, const std::string& folder) {
+  for (const std::string& path : {to_in(folder), from_in(folder)})
+    if (::mkfifo(path.c_str(), 0600) != 0) throw std::runtime_error(path + " cannot be made");
+  Chromium left;
+  left.start(program, folder, [](const std::string& of) {
+    // To read and to write, so that none ever comes to an end.
+    const auto both = [](const std::string& path) { return open_file(path, O_RDWR); };
+    return Ends{both(to_in(of)), both(from_in(of)), both(to_in(of)), both(from_in(of))};
+  });
+  pollfd ends[] = {{process_file(::getppid()), POLLIN, 0}, {process_file(left.child_), POLLIN, 0}};
+  const pid_t keeper = ends[0].fd < 0 || ends[1].fd < 0 ? -1 : ::fork();
+  if (keeper < 0) throw std::runtime_error("nobody can end it");
+  if (keeper == 0) {
+    ::setsid();
+    for (int file = 0; file < 3; ++file) ::dup2(left.to_, file);  // the pipes of those who wait for us
+    ::poll(ends, 2, -1);
+    left.stop();
+    ::_exit(0);
+  }
+  left.child_ = -1;
+}
+
+void Chromium::start(const std::string& program, const std::string& folder, MakeEnds make) {
   ::signal(SIGPIPE, SIG_IGN);
   if (::geteuid() != 0) {
     try {
-      start(program, folder, true);
+      start(program, folder, make(folder), true);
       return;
     } catch (const std::runtime_error&) {
       stop();  // where user namespaces are not to be had
     }
   }
   try {
-    start(program, folder, false);
+    start(program, folder, make(folder), false);
   } catch (...) {
     stop();
     throw;
@@ -45,14 +119,12 @@ Chromium::~Chromium() {
   stop();
 }
 
-void Chromium::start(const std::string& program, const std::string& folder, bool sandbox) {
-  int there[2], back[2];
-  if (::pipe2(there, O_CLOEXEC) != 0 || ::pipe2(back, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+void Chromium::start(const std::string& program, const std::string& folder, const Ends& ends, bool sandbox) {
   child_ = ::fork();
   if (child_ == 0) {
     ::setpgid(0, 0);
     // Out of the way first: what is copied must not lie where it goes.
-    const int in = ::fcntl(there[0], F_DUPFD, 10), out = ::fcntl(back[1], F_DUPFD, 10);
+    const int in = ::fcntl(ends.there, F_DUPFD, 10), out = ::fcntl(ends.back, F_DUPFD, 10);
     ::dup2(in, 3);
     ::dup2(out, 4);
     ::close(in);
@@ -72,16 +144,17 @@ void Chromium::start(const std::string& program, const std::string& folder, bool
     ::_exit(127);
   }
   ::setpgid(child_, child_);
-  ::close(there[0]);
-  ::close(back[1]);
-  to_ = there[1];
-  from_ = back[0];
+  ::close(ends.there);
+  ::close(ends.back);
+  to_ = ends.to;
+  from_ = ends.from;
   call("Browser.getVersion");
 }
 
 void Chromium::stop() {
   close_if_open(to_);
   close_if_open(from_);
+  close_if_open(lock_);
   if (child_ <= 0) return;
   ::kill(-child_, SIGKILL);
   ::waitpid(child_, nullptr, 0);

@@ -18,9 +18,16 @@ class Chromium {
   /// Starts it with a profile of its own in `folder`; without its sandbox where it does not start with it, as
   /// for root. Throws where it does not start at all.
   Chromium(const std::string& program, const std::string& folder);
+  /// One that was left in a folder, without the pages that others left open in it. Throws where there is
+  /// none, or where another process uses it.
+  explicit Chromium(const std::string& folder);
   ~Chromium();
   Chromium(const Chromium&) = delete;
   Chromium& operator=(const Chromium&) = delete;
+
+  /// Starts one in a folder that must be there, for others to use one after another until the process that
+  /// started this one ends. Throws where it does not start.
+  static void leave_one(const std::string& program, const std::string& folder);
 
   /// The result of a method of the protocol, in a session where one is named.
   Json call(const std::string& method, const Json& parameters = Json::object(),
@@ -31,13 +38,22 @@ class Chromium {
   void wait_for(const std::string& event, const std::string& session);
 
  private:
-  void start(const std::string& program, const std::string& folder, bool sandbox);
+  /// What it reads and writes, and the other ends.
+  struct Ends {
+    int there, back, to, from;
+  };
+  using MakeEnds = Ends (*)(const std::string& folder);
+
+  Chromium() = default;
+  void start(const std::string& program, const std::string& folder, MakeEnds make);
+  void start(const std::string& program, const std::string& folder, const Ends& ends, bool sandbox);
   void stop();
   Json receive();
 
   pid_t child_ = -1;
   int to_ = -1;
   int from_ = -1;
+  int lock_ = -1;
   int last_id_ = 0;
   std::string buffer_;
   std::deque<Json> events_;

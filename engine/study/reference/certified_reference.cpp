@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "engine/integrate/integrate.h"
+#include "engine/integrate/processor_time.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/study/reference/error_norms.h"
 
@@ -95,10 +95,8 @@ StudyReference hold_together(const Case& spec, const MethodSpec& first, const Me
 StudyReference make_reference(const Case& spec, double target, double time_limit) {
   constexpr double most_steps = 1e7;
   const double interval = spec.time.output_interval;
-  const auto started = std::chrono::steady_clock::now();
-  const auto time_left = [&] {
-    return time_limit - std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  };
+  const double started = processor_seconds();
+  const auto time_left = [&] { return time_limit - (processor_seconds() - started); };
   StudyReference best;
   best.certificate.elements = spec.cable.elements;
   double step = dividing(interval, first_step(spec) / 2);

@@ -30,8 +30,8 @@ struct StudyReference {
 
 /// Integrates the cable of a case, on its mesh, by ARKODE's explicit pairs of order 5 and 8 and by the
 /// Nyström pair of order 8 with a fixed step, both finer and finer until their tips agree to
-/// `target` (m), as long as that helps and takes no more than `time_limit` (s) in all. `agreement` is the
-/// best that was reached.
+/// `target` (m), as long as that helps and takes no more than `time_limit` (s of the processor) in all.
+/// `agreement` is the best that was reached.
 StudyReference make_reference(const Case& spec, double target, double time_limit);
 
 /// The agreement of two methods on a case, with the first one's trajectory as the reference.

@@ -24,9 +24,9 @@ std::optional<NewtonMatrix> newton_matrix(const MethodSpec& method) {
 }
 
 double newton_contraction(const Cable& cable, const NewtonMatrix& matrix, double h, const Eigen::VectorXd& q,
-                          const Eigen::VectorXd& q_solution) {
+                          const Eigen::VectorXd& q_solution, double roughly) {
   constexpr int most_iterations = 200;
-  constexpr double settled = 1e-4;
+  constexpr double settled = 1e-4, roughly_settled = 0.1;
   Dynamics dynamics(cable);
   if (dynamics.factor(q, matrix.mass, matrix.stiffness * h * h)) return unbounded;
   BlockTridiagonal solution(cable.nodes());
@@ -52,7 +52,7 @@ double newton_contraction(const Cable& cable, const NewtonMatrix& matrix, double
       growth *= size;
     }
     theta = std::sqrt(growth);
-    if (std::abs(theta - before) <= settled * theta) break;
+    if (std::abs(theta - before) <= (theta < roughly ? roughly_settled : settled) * theta) break;
     before = theta;
   }
   return theta;
@@ -63,8 +63,9 @@ PredictedLimit contraction_limit(const Cable& cable, const MethodSpec& method, c
   if (!matrix || motion.times.size() < 2) return {};
   const double end = motion.times.back();
   const auto theta = [&](double t, double h) {
+    constexpr double far_below_1 = 0.5;
     return newton_contraction(cable, *matrix, h, state_at(motion, t).q,
-                              state_at(motion, t + matrix->point * h).q);
+                              state_at(motion, t + matrix->point * h).q, far_below_1);
   };
   // The first step at t that is too long, below `longest`.
   const auto limit_at = [&](double t, double longest) {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -71,11 +71,11 @@ TEST(HostileFiles, ATableOfVeryManyColumnsIsReadInTheTimeOfItsLength) {
   std::string file = "t,tip.y";
   for (int k = 0; k < columns; ++k) file += ",c" + std::to_string(k);
   for (const char* row : {"\n0,0", "\n1,-1"}) file += row + repeated(",0", columns);
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t started = std::clock();
   EXPECT_EQ(refusal(given_case(file)), "accepted");
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const double taken = static_cast<double>(std::clock() - started) / CLOCKS_PER_SEC;
   // Comparing all names with all took half a second on an idle machine; this takes some hundredths.
-  EXPECT_LT(taken.count(), 5);
+  EXPECT_LT(taken, 5) << "s of the processor";
 }
 
 TEST(HostileFiles, ListsOfValuesAndOfTablesAreBounded) {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <random>
 
@@ -131,15 +131,15 @@ TEST(FastestVibration, IsNoneOfAStateThatIsNotFinite) {
 TEST(FastestVibration, OfAFineCableTakesNoLongerThanItsLength) {
   const Case spec = pendulum(20, 4096);
   const Cable cable(spec);
-  const auto started = std::chrono::steady_clock::now();
+  const std::clock_t started = std::clock();
   const double frequency = fastest_vibration(cable, cable.start_q(spec.start)).frequency;
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - started;
+  const double taken = static_cast<double>(std::clock() - started) / CLOCKS_PER_SEC;
   // Bending is the fastest in so fine a mesh, as 1/l²: four times as fast in one twice as fine.
   const Case coarse_spec = pendulum(20, 2048);
   const Cable coarse(coarse_spec);
   const double coarse_frequency = fastest_vibration(coarse, coarse.start_q(coarse_spec.start)).frequency;
   EXPECT_NEAR(frequency / coarse_frequency, 4, 1e-3);
-  EXPECT_LT(taken.count(), 5);
+  EXPECT_LT(taken, 5) << "s of the processor";
 }
 
 }  // namespace greatest_eigenfrequency_test

@@ -385,7 +385,7 @@ TEST_F(OutputFolderTest, ClearsWhatKilledCommandsLeft) {
       for (;;) ::pause();
     }
     // Each has a mark, the folder to be, one in it and a file there.
-    for (int wait = 0; wait < 5000 && everything().size() < 5U * children.size(); ++wait) ::usleep(1000);
+    for (int wait = 0; wait < 60'000 && everything().size() < 5U * children.size(); ++wait) ::usleep(1000);
   }
   ASSERT_EQ(everything().size(), 15U);
   for (const pid_t child : children) {

@@ -43,7 +43,7 @@ struct PerFrame {
 
 PerFrame drawing(int width, int height) {
   const GlContext context;
-  const Trajectory trajectory = swing();
+  const Trajectory trajectory = swing(31);
   SceneInput input = swing_input();
   input.spec.size = {width, height};
   SceneRenderer scene(context, trajectory, input);

@@ -60,8 +60,9 @@ TEST(BringYourOwn, TheCaseIsReportedLikeARunOfPlumbs) {
 TEST(BringYourOwn, AReportIsMadeAgainFromTheRunFileWhereTheTableIsGone) {
   const TemporaryFolder folder;
   copy_case(folder / "mine");
-  const std::string size = "scene.size=[160,90]";
-  ASSERT_EQ(plumb_in(folder.path(), {"run", "mine/bring_your_own.toml", "-o", "out", "--set", size}).status,
+  ASSERT_EQ(plumb_in(folder.path(), {"run", "mine/bring_your_own.toml", "-o", "out", "--set",
+                                     "scene.size=[160,90]", "--set", "scene.frame_rate=2"})
+                .status,
             0);
   fs::remove_all(folder / "mine");
   const std::string first = read_text(folder / "out/probes.csv");
@@ -81,10 +82,10 @@ TEST(BringYourOwn, AReportIsMadeAgainFromTheRunFileWhereTheTableIsGone) {
 TEST(BringYourOwn, WithAMethodPlumbsOwnRunIsReportedAndTheGivenOneLiesOverIt) {
   const TemporaryFolder folder;
   const Ended ended =
-      plumb_in(folder.path(),
-               {"run", folder_of_cases + "bring_your_own.toml", "--json", "--set", "method.name=arkode-erk",
-                "--set", "cable.elements=8", "--set", "time.output_interval=0.004", "--set",
-                "scene.size=[160,90]", "--set", "run.0.tolerances={ \"tip.x\" = 4e-3 }"});
+      plumb_in(folder.path(), {"run", folder_of_cases + "bring_your_own.toml", "--json", "--set",
+                               "method.name=arkode-erk", "--set", "cable.elements=8", "--set",
+                               "time.output_interval=0.004", "--set", "scene.size=[160,90]", "--set",
+                               "scene.frame_rate=1", "--set", "run.0.tolerances={ \"tip.x\" = 4e-3 }"});
   EXPECT_EQ(ended.status, 1) << "4e-3 m is closer than the two models are: " << ended.err;
   const Json json = Json::parse(ended.out);
   ASSERT_EQ(json["verdicts"].size(), 13U);

@@ -121,7 +121,7 @@ TEST_F(KeptFiles, SurviveTheAcceptingOfABaseline) {
 
 TEST_F(KeptFiles, AreThePagesThatAnIndexWouldOverwrite) {
   const Ended run = plumb({"run", "case.toml", "-o", "a", "--quiet", "--set", "time.end=0.04", "--set",
-                           "scene.size=[16,16]", "--set", "scene.frame_rate=50"});
+                           "scene.size=[16,16]", "--set", "scene.frame_rate=50", "--set", "study={}"});
   ASSERT_EQ(run.status, 1) << run.err;
   fs::copy(folder_ / "a", folder_ / "b", fs::copy_options::recursive);
   for (const char* name : {"index.html", "junit.xml", "summary.md", "results.json"}) {

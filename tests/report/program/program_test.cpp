@@ -12,9 +12,14 @@ const std::vector<std::string> quick{"--set", "time.end=0.1",
                                      "--set", "reference.0.coverage.to=0.1",
                                      "--set", "reference.1.coverage.to=0.1",
                                      "--set", "scene.size=[160,90]"};
+const std::vector<std::string> no_study{"--set", "study={}"};
+const std::vector<std::string> small_study{"--set", "study.work_precision.quick.points=3",
+                                           "--set", "study.work_precision.quick.elements=[4]",
+                                           "--set", "study.work_precision.quick.methods=[\"rk4\"]"};
 
-std::vector<std::string> with_quick(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), quick.begin(), quick.end());
+std::vector<std::string> with_quick(std::vector<std::string> arguments,
+                                    const std::vector<std::string>& study = no_study) {
+  for (const auto* more : {&quick, &study}) arguments.insert(arguments.end(), more->begin(), more->end());
   return arguments;
 }
 
@@ -65,9 +70,10 @@ TEST(Program, AnotherCableIsNotValidatedByThePublishedFigures) {
 
 TEST(Program, SolverThatFailsEndsWithFourAndKeepsWhatItHad) {
   const TemporaryFolder folder;
-  const Ended ended = plumb_in(folder.path(), {"run", case_path("pendulum.toml"), "--set", "method.name=rk4",
-                                               "--set", "method.step=1.5e-3", "--set",
-                                               "time.output_interval=0.003", "--set", "scene.size=[160,90]"});
+  const Ended ended =
+      plumb_in(folder.path(),
+               {"run", case_path("pendulum.toml"), "--set", "method.name=rk4", "--set", "method.step=1.5e-3",
+                "--set", "time.output_interval=0.003", "--set", "scene.size=[160,90]", "--set", "study={}"});
   EXPECT_EQ(ended.status, 4) << ended.err << ended.out;
   const Json json = Json::parse(read_text(folder / "output/pendulum/results.json"));
   EXPECT_NE(json["solve"]["outcome"], "completed");
@@ -118,7 +124,9 @@ TEST(Program, EveryStageCanBeEnteredFromItsFile) {
 
 TEST(Program, ReportFromARunSaysWhatTheRunItselfSaid) {
   const TemporaryFolder folder;
-  ASSERT_EQ(plumb_in(folder.path(), with_quick({"run", case_path("pendulum.toml"), "-o", "a"})).status, 0);
+  ASSERT_EQ(
+      plumb_in(folder.path(), with_quick({"run", case_path("pendulum.toml"), "-o", "a"}, small_study)).status,
+      0);
   ASSERT_EQ(plumb_in(folder.path(), {"report", "a", "-o", "b"}).status, 0);
   Json a = Json::parse(read_text(folder / "a/results.json")),
        b = Json::parse(read_text(folder / "b/results.json"));

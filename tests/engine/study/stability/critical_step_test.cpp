@@ -22,7 +22,10 @@ std::string table_row(const CriticalStep& step, double f) {
 /// Bisects on meshes of 4 to 32 elements and holds what is seen against the prediction.
 void expect_predicted_limit(const std::string& name, double f) {
   for (const int elements : {4, 8, 16, 32}) {
-    const CriticalStep step = critical_step(pendulum(f, elements), plain_method(*find_method(name)));
+    Case spec = pendulum(f, elements);
+    // Vibrations are as fast as 1/f, and stiff cables have as many of them as soft ones.
+    spec.time.end = std::min(spec.time.end, 0.4 * f);
+    const CriticalStep step = critical_step(spec, plain_method(*find_method(name)));
     EXPECT_EQ(step.limit_kind, LimitKind::vibration);
     EXPECT_EQ(step.elements, elements);
     EXPECT_GT(step.stable, 0) << table_row(step, f);

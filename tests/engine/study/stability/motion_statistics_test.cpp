@@ -33,7 +33,7 @@ TEST(MotionStatistics, AreThoseOfKnownHeightsAndSpeeds) {
 
 TEST(MotionStatistics, OfNeighboursThatPartedAgreeAndOfRegularMotionsThereAreNone) {
   Case spec = pendulum(1, 2);
-  spec.time = {6, 0.02};
+  spec.time = {4, 0.02};
   const ReferenceMotion parting = reference_motion(spec, 1, 1e-2, 1);
   ASSERT_FALSE(parting.separation.beyond_end);
   const auto variants = method_variants({"energy-momentum"});

@@ -47,8 +47,9 @@ TEST(Sweep, AJudgeThatCallsEveryRunAccurateIsFoundOut) {
   const auto blind = [](const Trajectory& run, const Trajectory& reference, double, double horizon) {
     return judge(run, reference, std::numeric_limits<double>::max(), horizon);
   };
-  const Sweep honest = run_sweep(tiny_sweep_case(), InMemory());
-  const Sweep sweep = run_sweep(tiny_sweep_case(), InMemory(), blind);
+  const LoadedCase loaded = tiny_sweep_case({"study.sweep.cases=40"});
+  const Sweep honest = run_sweep(loaded, InMemory());
+  const Sweep sweep = run_sweep(loaded, InMemory(), blind);
   long found_out = 0;
   for (std::size_t k = 0; k < honest.runs.size(); ++k) {
     // On a busy machine one of the two may be out of time.
@@ -72,7 +73,7 @@ TEST(Sweep, AJudgeThatLooksAtTheWrongRunIsFoundOut) {
 }
 
 TEST(Sweep, ARunIsRepeatedAloneByItsNumberOrItsOverrides) {
-  const LoadedCase loaded = tiny_sweep_case();
+  const LoadedCase loaded = tiny_sweep_case({"study.sweep.cases=50"});
   const Sweep sweep = run_sweep(loaded, InMemory());
   long compared = 0;
   for (const SweepRun& run : sweep.runs) {
@@ -118,7 +119,7 @@ TEST(Sweep, StudiesOfTheFileDoNotHinderItsCases) {
   // Its steps are beyond some of the ends that are drawn, which matters to that study alone.
   const Sweep sweep =
       run_sweep(tiny_sweep_case({"time.end=10", "time.output_interval=1", "study.work_precision.end=5",
-                                 "study.work_precision.largest_step=4"}),
+                                 "study.work_precision.largest_step=4", "study.sweep.cases=30"}),
                 InMemory());
   for (const SweepRun& run : sweep.runs) EXPECT_EQ(run.fault, "") << run.number;
 }
