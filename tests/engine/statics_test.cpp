@@ -255,6 +255,46 @@ TEST(Statics, AColumnThatIsPressedFarBeyondBucklingInOneStepIsBentAsInForty) {
   }
 }
 
+/// A bar along x, too stiff to buckle, under that many times EA of weight along itself, towards the free end.
+Trajectory under_weight(double share, StrainModel strain, int elements, bool held_at_last) {
+  Case spec = cantilever(1, 1e-2, 1e-2, 1e6, elements);
+  spec.cable.strain = strain;
+  spec.loads.gravity = {share * 1e3, 0, 0};  // 10 kg, EA = 1e4 N
+  if (held_at_last) {
+    spec.supports = {Support::free, Support::clamped};
+    spec.loads.gravity *= -1;
+  }
+  return settle(spec, 1);
+}
+
+// Turned inside out it would be in equilibrium, and stable.
+TEST(Statics, ABarThatItsWeightPressesToNothingIsRefusedWhicheverEndIsHeld) {
+  for (const StrainModel strain : {StrainModel::green_geometric, StrainModel::engineering_material}) {
+    for (const int elements : {1, 2}) {
+      for (const bool last : {false, true}) {
+        const Trajectory trajectory = under_weight(-5, strain, elements, last);
+        EXPECT_NE(trajectory.outcome, Outcome::completed)
+            << word(strain) << ", " << elements << " elements held at the " << (last ? "last" : "first")
+            << " end, which has the free end at "
+            << trajectory.q.back().segment<3>(last ? 0 : 6 * elements).transpose() << " m";
+      }
+    }
+  }
+}
+
+// The free end then goes as far as to the other side of the origin, without an element that points back.
+TEST(Statics, ABarThatItsWeightPullsTakesOneCorrectionWhicheverEndIsHeld) {
+  for (const int elements : {1, 2, 8}) {
+    for (const bool last : {false, true}) {
+      const Trajectory trajectory = under_weight(3, StrainModel::engineering_material, elements, last);
+      ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+      EXPECT_NEAR(trajectory.q.back()[last ? 0 : 6 * elements], last ? -1.5 : 2.5, 1e-9);
+      EXPECT_EQ(trajectory.counters.newton_iterations, 2)  // the other finds that nothing is missing
+          << elements << " elements held at the " << (last ? "last" : "first") << " end";
+    }
+  }
+}
+
 TEST(Statics, CableThatNothingHoldsIsSingular) {
   const auto outcome = [](Case spec) {
     spec.loads.gravity = {0, -9.81, 0};
