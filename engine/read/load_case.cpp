@@ -45,8 +45,10 @@ std::string difference_of_motion(const GivenRun& run, const Case& spec) {
 /// Notes in each given run what it lacks of the case, and which one it repeats.
 void note_shortcomings(const Case& spec, GivenRunsRead& given) {
   constexpr double rounding = 1e-9;
+  std::vector<ProbeTable> tables;
   for (std::size_t k = 0; k < given.runs.size(); ++k) {
     GivenRun& run = given.runs[k];
+    tables.push_back(probe(run));
     std::vector<std::string> notes;
     if (run.times.back() < spec.time.end * (1 - rounding))
       notes.push_back(fmt::format("the run in it ends at {:.6g} s, before the end of the case, {:.6g} s",
@@ -56,8 +58,7 @@ void note_shortcomings(const Case& spec, GivenRunsRead& given) {
     if (const std::string what = difference_of_motion(run, spec); !what.empty())
       notes.push_back("the run in it is of another case: " + what);
     for (std::size_t other = 0; other < k; ++other)
-      if (given.runs[other].times.size() == run.times.size() &&
-          same_run(probe(given.runs[other]), probe(run)))
+      if (same_run(tables[other], tables[k]))
         notes.push_back(fmt::format("the run in it has the same numbers as {}, which it does not confirm",
                                     spec.given_runs[other].name));
     for (std::string& note : notes) {

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "engine/run/known_time.h"
 #include "engine/run/stored_parts.h"
 #include "engine/run/time_interpolation.h"
 
@@ -17,6 +19,24 @@ double greatest_size(const std::vector<double>& values) {
   double greatest = 0;
   for (const double value : values) greatest = std::max(greatest, std::abs(value));
   return greatest;
+}
+
+/// Where the times are among others, which rise strictly; nothing where one is not.
+std::optional<std::vector<std::size_t>> places_among(const std::vector<double>& others,
+                                                     const std::vector<double>& times) {
+  std::vector<std::size_t> places;
+  for (const double t : times) {
+    const std::optional<KnownTime> known = known_time(others, t);
+    if (!known || !known->output) return {};
+    places.push_back(known->before);
+  }
+  return places;
+}
+
+std::vector<double> at(const std::vector<double>& values, const std::vector<std::size_t>& places) {
+  std::vector<double> some;
+  for (const std::size_t k : places) some.push_back(values[k]);
+  return some;
 }
 
 bool same_but_for_rounding(const std::vector<double>& a, const std::vector<double>& b) {
@@ -76,12 +96,14 @@ ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& 
 }
 
 bool same_run(const ProbeTable& a, const ProbeTable& b) {
-  if (!same_but_for_rounding(a.times, b.times)) return false;
+  if (a.times.size() > b.times.size()) return same_run(b, a);
+  const auto places = places_among(b.times, a.times);
+  if (!places) return false;
   bool moves = false;
   for (const Column& column : a.columns) {
     const Column* other = b.find(column.name);
     if (other == nullptr) continue;
-    if (!same_but_for_rounding(column.values, other->values)) return false;
+    if (!same_but_for_rounding(column.values, at(other->values, *places))) return false;
     moves = moves || varies(column.values);
   }
   return moves;

@@ -18,8 +18,8 @@ ProbeTable probe(const GivenRun& given, const std::vector<double>& times);
 /// second one: interpolated between those before and after.
 ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& outputs);
 
-/// True for two tables that hold one run: the same times, and in all columns of both the same values, at
-/// least one of which varies; all but for the rounding of a unit.
+/// True for two tables of one run: the times of one are among those of the other, and there all columns of
+/// both have the same values, at least one of which varies; all but for the rounding of a unit.
 bool same_run(const ProbeTable& a, const ProbeTable& b);
 
 /// The first given run of a case without [method] as the run that is reported: ended as its file says, or

@@ -94,11 +94,11 @@ std::vector<Verdict> distance_verdicts(const Run& run, const std::vector<GivenDi
                                    word(run.trajectory.outcome), run.trajectory.end_time);
     } else if (const std::string failure = failure_of(run, distance.given_run); !failure.empty()) {
       verdict.detail = failure;
+    } else if (!distance.coverage.enough()) {
+      verdict.detail = distance.coverage.lacking;
     } else if (distance.repeats) {
       verdict.detail = fmt::format("the numbers of {} are those of {}: one run does not confirm itself",
                                    given.name, reported);
-    } else if (!distance.coverage.enough()) {
-      verdict.detail = distance.coverage.lacking;
     } else {
       verdict.value = distance.max;
       verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;

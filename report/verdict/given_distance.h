@@ -21,7 +21,7 @@ struct GivenDistance {
   double max_time = 0;             ///< s, where it is
   double rms = 0;
   Magnitude scale;       ///< of all that either run has in that unit
-  bool repeats = false;  ///< both hold the same numbers throughout: it is one run
+  bool repeats = false;  ///< the numbers of one are among those of the other: it is one run
 };
 
 /// The distances of all given runs to the one that is reported.

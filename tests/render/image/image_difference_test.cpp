@@ -166,6 +166,13 @@ TEST(ImageDifference, WhatIsAddedIsToldFromTheCommonestColour) {
   }
 }
 
+TEST(ImageDifference, OfTwoColoursThatAreAsCommonTheDarkerIsTheGround) {
+  const Image dark = plain(8, 1, 100), bright = plain(8, 1, 180);
+  const Image added = difference_image(dark, bright, {}), removed = difference_image(bright, dark, {});
+  EXPECT_LT(added.rgb[0], added.rgb[2]) << "added: blue";
+  EXPECT_GT(removed.rgb[0], removed.rgb[2]) << "removed: red";
+}
+
 /// A line of two pixels' width at a height, drawn with smooth rims.
 Image line_at(const GlContext& context, double height) {
   Canvas canvas(context, 200, 100);

@@ -82,6 +82,33 @@ TEST_F(CoverageProgram, ARunThatIsTooShortIsNotRun) {
   expect_statuses(report(), {"not run"}, "only 1 of 5 times");
 }
 
+TEST_F(CoverageProgram, ProbesOfARunThatFailedAreNotRunOverTheEndThatTheyLack) {
+  // ½(λ − λ³) is the load over EA, which is at its limit, 0.19245, before the end of the run.
+  write("pressed.toml", R"(title = "pressed"
+method = { name = "statics", step = 0.05 }
+cable = { length = 1, area = 0.01, density = 1000, youngs_modulus = 1e6, second_moment = 0.01, elements = 4 }
+supports = { first = "clamped" }
+loads = { end_force = [-2500, 0, 0] }
+probe = [{ name = "tip", at = 1 }]
+time = { end = 1, output_interval = 0.05 }
+)");
+  EXPECT_EQ(plumb_in(folder_.path(), {"solve", "pressed.toml", "-o", "solved"}).status, 4);
+  write("g.csv", read_text(folder_ / "solved/probes.csv"));
+  std::string known = read_text(folder_ / "known.toml");
+  const auto rows_of_known = [&](const std::string& rows) {
+    const std::size_t at = known.find("rows = ");
+    known.replace(at, known.find('\n', at) - at, "rows = " + rows);
+    write("known.toml", known);
+  };
+  rows_of_known("[[0, 1], [0.5, 0.8376], [0.75, 0.6514]]");
+  expect_statuses(report(), {"passed"}, "over 3 of 3 times from 0 to 0.75 s");
+  rows_of_known("[[0, 1], [0.5, 0.8376], [0.75, 0.6514], [1, 0.5]]");
+  expect_statuses(report(), {"not run"}, "g does not have t = 1 s: it is from 0 to 0.75 s");
+  write("case.toml", case_text("[[run]]\nfile = \"h.csv\"\ntolerances = { \"tip.x\" = 0.01 }\n"));
+  write("h.csv", "t,tip.x\n0,1\n0.5,0.8376\n0.75,0.6514\n1,0.5\n");
+  expect_statuses(report(), {"not run", "passed", "not run"}, "times of the two runs can be compared");
+}
+
 TEST_F(CoverageProgram, AWrongUnitOfTheTimeIsNotRun) {
   write("case.toml", case_text("units = { t = \"us\" }\n"));
   expect_statuses(report(), {"not run"}, "it is from 0 to 2e-06 s, and nothing is extrapolated");

@@ -169,6 +169,38 @@ TEST(RepeatedRun, DoesNotConfirmItself) {
   EXPECT_EQ(beside(run, parabola(), parabola(1e-3)).verdicts.at(2).status, VerdictStatus::passed);
 }
 
+/// y = −t² to 1 s at every `step`-th of 101 times, off by `error`.
+std::string thinned(int step, double error = 0) {
+  std::string text = "t,tip.y\n";
+  for (int k = 0; k <= 100; k += step)
+    text += std::to_string(k / 100.0) + "," + std::to_string(-k * k / 1e4 + error) + "\n";
+  return text;
+}
+
+TEST(RepeatedRun, IsNotConfirmedBySomeOfItsTimesThoughInterpolationBearsTheRest) {
+  const auto judged = [](const std::string& first, const std::string& other) {
+    plumb::Run run;
+    return beside(run, first, other).verdicts.at(2);
+  };
+  for (const bool first_is_thinned : {false, true}) {
+    const auto pair = [&](double error) {
+      return first_is_thinned ? judged(thinned(10, error), thinned(1))
+                              : judged(thinned(1), thinned(10, error));
+    };
+    const Verdict copy = pair(0), near = pair(1e-6);
+    for (const Verdict& verdict : {copy, near}) {
+      ASSERT_TRUE(verdict.coverage);
+      EXPECT_EQ(verdict.coverage->lacking, "");
+      EXPECT_EQ(verdict.coverage->compared, 101U);
+      EXPECT_EQ(verdict.coverage->interpolated, 90U) << "every tenth is an output of both";
+    }
+    EXPECT_EQ(copy.status, VerdictStatus::not_run) << said(copy);
+    EXPECT_NE(copy.message.find("one run does not confirm itself"), std::string::npos) << copy.message;
+    EXPECT_EQ(near.status, VerdictStatus::passed) << said(near);
+    EXPECT_NE(near.message.find("90 of them interpolated, which may be"), std::string::npos) << near.message;
+  }
+}
+
 TEST(RepeatedRun, IsNoneWhereOnlyWhatStandsStillIsTheSame) {
   const ProbeTable planar{{0, 1}, {{"tip.y", "m", {0, -1}}, {"tip.z", "m", {0, 0}}}};
   ProbeTable other = planar;
@@ -180,6 +212,14 @@ TEST(RepeatedRun, IsNoneWhereOnlyWhatStandsStillIsTheSame) {
   other = planar;
   other.times[1] = 1.5;
   EXPECT_FALSE(same_run(planar, other)) << "other times";
+  other = {{0, 0.5, 1}, {{"tip.y", "m", {0, -7, -1}}}};
+  EXPECT_TRUE(same_run(planar, other)) << "all times of the one and more";
+  EXPECT_TRUE(same_run(other, planar));
+  other.columns[0].values[2] = -1.001;
+  EXPECT_FALSE(same_run(planar, other)) << "another motion at those times";
+  other.times = {0, 1, 2};
+  other.columns[0].values = {0, -1, -4};
+  EXPECT_TRUE(same_run(planar, other)) << "the beginning of it";
   other.columns.clear();
   EXPECT_FALSE(same_run(planar, other)) << "nothing in common";
 }

@@ -287,10 +287,17 @@ TEST(Coverage, OfARunOfPlumbsOwnIsNotLessForAnEarlierEndOrRarerOutputs) {
       << rare_one.message;
 }
 
+TEST(DistanceNorms, OfNoDifferenceAreZero) {
+  const DifferenceNorms norms = norms_of({0, 1}, {0, 0});
+  EXPECT_EQ(norms.max, 0);
+  EXPECT_EQ(norms.rms, 0);
+}
+
 TEST(DistanceCoverage, IsOfTheTimesOfBothRuns) {
   const Motion bump = [](double t) { return 1 + t + (t > 0.05 && t < 1.95 ? 50 : 0); };
   std::vector<double> half = every(0.125, 17);
   half.resize(9);
+  const Motion near = [](double t) { return 1 + t + 1e-6; };
   const std::string tolerances = "tolerances = { \"tip.x\" = 0.01 }\n";
   const struct {
     const char* what;
@@ -314,6 +321,10 @@ TEST(DistanceCoverage, IsOfTheTimesOfBothRuns) {
        {.run = rows({0, 2}), .other = rows(every(0.125, 17))},
        VerdictStatus::not_run,
        "g has no output within"},
+      {"the start alone, which is a moment later in one",
+       {.other = rows({1e-11, 2.5}), .other_keys = "coverage = { share = 0.01 }\n"},
+       VerdictStatus::not_run,
+       "no time of the two runs after t = 0 can be compared"},
       {"no overlap", {.other = rows({5, 6, 7})}, VerdictStatus::not_run, "only 0 of 20 times"},
       {"half of it", {.other = rows(half)}, VerdictStatus::not_run, "only 9 of 17 times"},
       {"longer than what is reported",
@@ -321,7 +332,7 @@ TEST(DistanceCoverage, IsOfTheTimesOfBothRuns) {
        VerdictStatus::not_run,
        "only 17 of 25 times of the two runs can be compared: g does not have t = 2.125 s"},
       {"half of it, as is claimed",
-       {.other = rows(half), .other_keys = "coverage = { to = 1 }\n"},
+       {.other = rows(half, near), .other_keys = "coverage = { to = 1 }\n"},
        VerdictStatus::passed,
        "over 9 of 9 times from 0 to 1 s, outputs at most 0.125 s apart; the case claims no "
        "more than to 1 s"},

@@ -186,14 +186,21 @@ TEST(Statics, LimitPointIsNamedWithTheLoadThatWasReached) {
       << trajectory.message;
 }
 
-TEST(Statics, WeightBeyondTheLimitPointIsNamedToo) {
-  Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 4);
-  spec.start.direction = {0, 1, 0};
-  spec.loads.gravity = {0, -0.3e4 / 10, 0};  // 10 kg; stands on its first end
-  const Trajectory trajectory = settle(spec, 1);
-  EXPECT_EQ(trajectory.outcome, Outcome::no_convergence) << trajectory.message;
-  EXPECT_NE(trajectory.message.find("element 1"), trajectory.message.npos) << trajectory.message;
-  EXPECT_NE(trajectory.message.find("0.19245 EA"), trajectory.message.npos) << trajectory.message;
+TEST(Statics, WeightBeyondTheLimitPointIsNamedTooAtEitherEnd) {
+  for (const bool last : {false, true}) {
+    Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 4);
+    spec.start.direction = {0, 1, 0};
+    spec.loads.gravity = {0, -0.3e4 / 10, 0};  // 10 kg; stands on its first end
+    if (last) {
+      spec.supports = {Support::free, Support::clamped};
+      spec.loads.gravity *= -1;
+    }
+    const Trajectory trajectory = settle(spec, 1);
+    EXPECT_EQ(trajectory.outcome, Outcome::no_convergence) << trajectory.message;
+    EXPECT_NE(trajectory.message.find(last ? "element 4" : "element 1"), trajectory.message.npos)
+        << trajectory.message;
+    EXPECT_NE(trajectory.message.find("0.19245 EA"), trajectory.message.npos) << trajectory.message;
+  }
 }
 
 TEST(Statics, OverloadIsToldForEitherFreeEndAndNotForEngineeringStrain) {
@@ -232,6 +239,62 @@ TEST(Statics, CorrectionsAreTakenWholeUpToTenTimesTheLengthAndAreRoundOffFarBeyo
   EXPECT_EQ(stretched(1.1e10).outcome, Outcome::singular) << stretched(1.1e10).message;
 }
 
+// Up to six times the load it buckles at. Whole corrections, and halved ones that need not make the next one
+// smaller, end at the column upright or nowhere.
+TEST(Statics, AColumnThatIsPressedFarBeyondBucklingInOneStepIsBentAsInForty) {
+  const double EI = 30;
+  for (int load = 5; load <= 15; ++load) {
+    Case spec = cantilever(1, 1e-2, 3e-5, 1e6, 1);
+    spec.cable.strain = StrainModel::engineering_material;
+    spec.loads.end_force = {-load * EI, 0.01 * load * EI, 0};
+    const Trajectory at_once = settle(spec, 1), slowly = settle(spec, 40);
+    ASSERT_EQ(at_once.outcome, Outcome::completed) << "load " << load << ": " << at_once.message;
+    ASSERT_EQ(slowly.outcome, Outcome::completed) << "load " << load << ": " << slowly.message;
+    EXPECT_LE((tip(at_once) - tip(slowly)).norm(), 1e-9) << "m, load " << load;
+    EXPECT_GT(tip(slowly).y(), 0.6) << "m, load " << load << ": hardly bent";
+  }
+}
+
+/// A bar along x, too stiff to buckle, under that many times EA of weight along itself, towards the free end.
+Trajectory under_weight(double share, StrainModel strain, int elements, bool held_at_last) {
+  Case spec = cantilever(1, 1e-2, 1e-2, 1e6, elements);
+  spec.cable.strain = strain;
+  spec.loads.gravity = {share * 1e3, 0, 0};  // 10 kg, EA = 1e4 N
+  if (held_at_last) {
+    spec.supports = {Support::free, Support::clamped};
+    spec.loads.gravity *= -1;
+  }
+  return settle(spec, 1);
+}
+
+// Turned inside out it would be in equilibrium, and stable.
+TEST(Statics, ABarThatItsWeightPressesToNothingIsRefusedWhicheverEndIsHeld) {
+  for (const StrainModel strain : {StrainModel::green_geometric, StrainModel::engineering_material}) {
+    for (const int elements : {1, 2}) {
+      for (const bool last : {false, true}) {
+        const Trajectory trajectory = under_weight(-5, strain, elements, last);
+        EXPECT_NE(trajectory.outcome, Outcome::completed)
+            << word(strain) << ", " << elements << " elements held at the " << (last ? "last" : "first")
+            << " end, which has the free end at "
+            << trajectory.q.back().segment<3>(last ? 0 : 6 * elements).transpose() << " m";
+      }
+    }
+  }
+}
+
+// The free end then goes as far as to the other side of the origin, without an element that points back.
+TEST(Statics, ABarThatItsWeightPullsTakesOneCorrectionWhicheverEndIsHeld) {
+  for (const int elements : {1, 2, 8}) {
+    for (const bool last : {false, true}) {
+      const Trajectory trajectory = under_weight(3, StrainModel::engineering_material, elements, last);
+      ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+      EXPECT_NEAR(trajectory.q.back()[last ? 0 : 6 * elements], last ? -1.5 : 2.5, 1e-9);
+      EXPECT_EQ(trajectory.counters.newton_iterations, 2)  // the other finds that nothing is missing
+          << elements << " elements held at the " << (last ? "last" : "first") << " end";
+    }
+  }
+}
+
 TEST(Statics, CableThatNothingHoldsIsSingular) {
   const auto outcome = [](Case spec) {
     spec.loads.gravity = {0, -9.81, 0};
@@ -239,6 +302,9 @@ TEST(Statics, CableThatNothingHoldsIsSingular) {
     EXPECT_NE(trajectory.message.find("the stiffness is singular"), trajectory.message.npos)
         << trajectory.message;
     EXPECT_NE(trajectory.message.find("at 0 of the load"), trajectory.message.npos) << trajectory.message;
+    EXPECT_EQ(trajectory.message.find(fmt::format("element {}:", spec.cable.elements + 1)),
+              trajectory.message.npos)
+        << trajectory.message;
     return trajectory.outcome;
   };
   for (const int elements : {1, 4, 32}) {
