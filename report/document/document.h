@@ -27,6 +27,9 @@ std::vector<Verdict> verdicts_of(const Document& document);
 /// criteria are met or the run is accurate where they are not or there is none.
 void check_claims(const Document& document, const std::string& path);
 
+/// True for "figures" and for what ends in "_figures": the keys of a document's lists of figures.
+bool is_figures_key(std::string_view key);
+
 /// What was drawn, with the pictures' bytes read from `folder`. Throws InputError where one is missing, is no
 /// PNG file, or is not in that folder.
 Pictures pictures_of(const Document& document, const std::string& folder);

@@ -34,6 +34,23 @@ data pair_rows(const std::vector<std::pair<std::string, std::string>>& items) {
   return rows;
 }
 
+data picture_values(const Picture& picture, const std::string& more) {
+  data values;
+  values["title"] = picture.title;
+  values["caption"] = picture.title + "." + more;
+  values["alt"] = picture.alt;
+  values["tall"] = picture.tall;
+  values["file"] = picture.file;
+  values["uri"] = data_uri(picture.png);
+  return values;
+}
+
+data picture_rows(const std::vector<Picture>& pictures) {
+  data rows{data::type::list};
+  for (const Picture& picture : pictures) rows.push_back(picture_values(picture));
+  return rows;
+}
+
 void set_case_and_provenance(data& page, const CaseSource& source, const Provenance& provenance,
                              const Stages& stages) {
   page["case_name"] = source.file.name;

@@ -10,6 +10,7 @@
 #include "engine/case/case_source.h"
 #include "engine/run/provenance.h"
 #include "report/base/stages.h"
+#include "report/figure/pictures.h"
 
 /// What the pages are made with.
 namespace plumb {
@@ -22,6 +23,12 @@ std::string data_uri(const std::string& png);
 
 /// Rows of {{name}} and {{value}}.
 kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::string>>& items);
+
+/// {{uri}}, {{alt}}, {{title}}, {{file}} and {{tall}} of a picture; {{caption}} is its title as a sentence,
+/// and `more`.
+kainjow::mustache::data picture_values(const Picture& picture, const std::string& more = "");
+/// Rows of them.
+kainjow::mustache::data picture_rows(const std::vector<Picture>& pictures);
 
 /// Sets what the end of every report shows: the case's text and overrides, the provenance, and where the time
 /// went.

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "report/base/base64.h"
+#include "report/base/escape.h"
 #include "report/figure/pictures.h"
 #include "report/page/page_template.h"
 #include "report/page/verdict_html.h"
-#include "report/study/work_precision/study_chart_data.h"
 
 namespace plumb {
 

@@ -10,6 +10,7 @@
 #include "engine/run/output_folder.h"
 #include "report/page/page.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/run_sections.h"
 
 namespace plumb {
 
@@ -28,7 +29,7 @@ Remade remake(const std::string& path, const std::string& folder) {
   try {
     Remade made{read_document(path), {}, {}, {}, ExitStatus::done};
     check_claims(made.document, path);
-    made.page = to_page(made.document, pictures_of(made.document, folder));
+    made.page = to_page(made.document, pictures_of(made.document, folder), page_sections());
     made.junit = to_junit(made.document);
     made.summary = to_summary(made.document);
     made.status = status_of(made.document);

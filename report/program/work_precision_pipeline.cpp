@@ -8,7 +8,7 @@
 #include "engine/study/work_precision/cheapest.h"
 #include "engine/study/work_precision/run_work_precision.h"
 #include "report/program/study_end.h"
-#include "report/study/work_precision/study_pictures.h"
+#include "report/study/work_precision/work_precision_figures.h"
 #include "report/study/work_precision/work_precision_page.h"
 
 namespace plumb {
@@ -120,7 +120,7 @@ ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages
                         Talk& talk) {
   write_study(study, folder);
   stages.begin("figures");
-  const std::vector<Picture> pictures = draw_study(study.result, folder);
+  const std::vector<Picture> pictures = draw_figures(study_figures(study.result), study.result.title, folder);
   const StudyResults results = evaluate_study(study, stages);
   stages.begin("report");
   const StudyReport report = study_report(results, to_study_page(results, pictures));

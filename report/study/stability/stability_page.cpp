@@ -13,7 +13,6 @@
 #include "report/page/study_page.h"
 #include "report/study/stability/stability_figures.h"
 #include "report/study/stability/stability_map_data.h"
-#include "report/study/work_precision/study_chart_data.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -40,15 +39,6 @@ std::string known(double value) {
 
 std::string share(double value) {
   return std::isfinite(value) ? fmt::format("{:+.3g}", value) : number(value);
-}
-
-data picture_values(const Picture& picture) {
-  data values;
-  values["uri"] = data_uri(picture.png);
-  values["alt"] = picture.alt;
-  values["file"] = picture.file;
-  values["caption"] = picture.title + ".";
-  return values;
 }
 
 void set_picture(data& values, const std::string& key, const std::vector<Picture>& pictures,
@@ -339,9 +329,7 @@ std::string to_stability_page(const StabilityResults& results, const std::vector
   shell.sections.emplace_back("stability-failures", "Failures");
   shell.section = section(study, pictures);
   shell.css = std::string(study_css) + std::string(stability_css);
-  shell.scripts = fmt::format("<script type=\"application/json\" id=\"stability-data\">{}</script>\n",
-                              escape_json_for_html(stability_map_data(study))) +
-                  script_element(stability_js);
+  shell.scripts = data_element("stability-data", stability_map_data(study)) + script_element(stability_js);
   shell.script_policy = script_policy({stability_js_sha256});
   shell.verdict_note =
       "All are <strong>verification</strong>: of the predicted limits by the steps found, and of the "

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "report/base/base64.h"
+#include "report/base/escape.h"
 #include "report/page/page.h"
 #include "report/study/work_precision/study_chart_data.h"
 #include "report/study/work_precision/work_precision_figures.h"
@@ -173,8 +174,10 @@ TEST(StudyPage, IsAPartOfThePageOfARun) {
   const plumb::Run run = run_with("a");
   const Study study = made_study_of_a_case();
   Pictures drawn;
-  drawn.study = pictures(study.result);
-  const std::string page = to_page(document_of(evaluate(run, {}, &study), drawn), drawn);
+  const std::vector<RunSection> sections{work_precision_section(study.result)};
+  drawn.sections[sections[0].figures_key] = pictures(study.result);
+  const std::vector<PageSection> shown{work_precision_on_page()};
+  const std::string page = to_page(document_of(evaluate(run, {}, sections), drawn), drawn, shown);
   EXPECT_EQ(count(page, "class=\"study-chart\""), 2U);
   EXPECT_EQ(count(page, "id=\"study-data\""), 1U);
   EXPECT_NE(page.find("script-src 'sha256-"), page.npos);
