@@ -93,6 +93,12 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const std:
   return draw_figures(figures, context, picture_texts(context, title), folder);
 }
 
+const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name) {
+  for (const Picture& picture : pictures)
+    if (picture.file == fmt::format("figures/{}.png", name)) return &picture;
+  return nullptr;
+}
+
 const std::vector<Picture>& Pictures::of(const std::string& key) const {
   static const std::vector<Picture> none;
   const auto found = sections.find(key);

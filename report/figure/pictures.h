@@ -30,6 +30,9 @@ struct Picture {
 /// The key in results.json of the figures of a run; those of its sections have keys that end likewise.
 inline constexpr const char* figures_key = "figures";
 
+/// The picture of that name among those drawn, or nullptr.
+const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name);
+
 /// What was drawn of a run, as the page needs it.
 struct Pictures {
   std::vector<Picture> figures;

@@ -142,8 +142,8 @@ std::string to_page(const Document& document, const Pictures& pictures,
   const std::string changes = changes_html(document);
   page["has_changes"] = !changes.empty();
   page["changes"] = changes;
-  page["script_policy"] = "; " + page_script_policy(sections);
-  page["scripts"] = page_scripts(document, sections);
+  page["script_policy"] = "; " + script_policy(page_scripts(sections));
+  page["scripts"] = page_data(document, sections) + script_elements(page_scripts(sections));
   return fill_in(page_mustache, page);
 }
 

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
-#include "report/page/study_page.h"
+#include "report/base/base64.h"
+#include "report/base/escape.h"
 
 namespace plumb {
 
@@ -19,20 +18,11 @@ extern const std::string_view verdict_filter_js, verdict_filter_js_sha256;
 
 namespace {
 
-struct Script {
-  std::string_view text, sha256;
-};
-
-/// In the order in which they need each other.
-std::vector<Script> scripts_of(const std::vector<PageSection>& sections) {
-  std::vector<Script> scripts{
-      {chart_min_js, chart_min_js_sha256}, {report_js, report_js_sha256},
-      {clock_js, clock_js_sha256},         {player_js, player_js_sha256},
-      {charts_js, charts_js_sha256},       {downloads_js, downloads_js_sha256},
-      {tables_js, tables_js_sha256},       {verdict_filter_js, verdict_filter_js_sha256}};
-  for (const PageSection& section : sections)
-    if (section.data) scripts.push_back({section.script, section.script_sha256});
-  return scripts;
+std::string from_hex(std::string_view hex) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
+  return bytes;
 }
 
 /// Of the figures with their numbers; those of sections are no charts.
@@ -50,28 +40,45 @@ Document figures_of(const Document& document) {
   return figures;
 }
 
-/// On one line, with how the frames of the animation follow each other.
-std::string page_data(const Document& document) {
-  const Document shown{{"figures", figures_of(document)},
-                       {"frame_rate", document.at("animation").at("player_frame_rate")},
-                       {"end_time", document.at("solve").at("end_time")}};
-  return shown.dump(-1, ' ', false, Document::error_handler_t::replace);
-}
-
 }  // namespace
 
-std::string page_scripts(const Document& document, const std::vector<PageSection>& sections) {
-  std::string html = data_element("page-data", page_data(document));
-  for (const PageSection& section : sections)
-    if (section.data) html += data_element(section.data_id, section.data(document.at(section.key)));
-  for (const Script& script : scripts_of(sections)) html += script_element(script.text);
+std::string script_elements(const std::vector<PageScript>& scripts) {
+  std::string html;
+  for (const PageScript& script : scripts) html += fmt::format("<script>{}</script>\n", script.text);
   return html;
 }
 
-std::string page_script_policy(const std::vector<PageSection>& sections) {
-  std::vector<std::string_view> hashes;
-  for (const Script& script : scripts_of(sections)) hashes.push_back(script.sha256);
-  return script_policy(hashes);
+std::string data_element(const std::string& id, const std::string& json) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id,
+                     escape_json_for_html(json));
+}
+
+std::string script_policy(const std::vector<PageScript>& scripts) {
+  std::string policy = "script-src";
+  for (const PageScript& script : scripts)
+    policy += fmt::format(" 'sha256-{}'", base64(from_hex(script.sha256)));
+  return policy;
+}
+
+std::vector<PageScript> page_scripts(const std::vector<PageSection>& sections) {
+  std::vector<PageScript> scripts{
+      {chart_min_js, chart_min_js_sha256}, {report_js, report_js_sha256},
+      {clock_js, clock_js_sha256},         {player_js, player_js_sha256},
+      {charts_js, charts_js_sha256},       {downloads_js, downloads_js_sha256},
+      {tables_js, tables_js_sha256},       {verdict_filter_js, verdict_filter_js_sha256}};
+  for (const PageSection& section : sections)
+    if (section.data) scripts.push_back(section.script);
+  return scripts;
+}
+
+std::string page_data(const Document& document, const std::vector<PageSection>& sections) {
+  const Document own{{"figures", figures_of(document)},
+                     {"frame_rate", document.at("animation").at("player_frame_rate")},
+                     {"end_time", document.at("solve").at("end_time")}};
+  std::string html = data_element("page-data", own.dump(-1, ' ', false, Document::error_handler_t::replace));
+  for (const PageSection& section : sections)
+    if (section.data) html += data_element(section.data_id, section.data(document.at(section.key)));
+  return html;
 }
 
 }  // namespace plumb

@@ -7,11 +7,19 @@
 
 namespace plumb {
 
-/// The scripts of the page of a run and of those of its sections, with the data that they work with, for the
-/// end of its body.
-std::string page_scripts(const Document& document, const std::vector<PageSection>& sections);
+/// Script elements, for the end of a body.
+std::string script_elements(const std::vector<PageScript>& scripts);
 
-/// The directive that lets just those run.
-std::string page_script_policy(const std::vector<PageSection>& sections);
+/// JSON for scripts, which find it by its id.
+std::string data_element(const std::string& id, const std::string& json);
+
+/// The directive that lets just those scripts run: "script-src 'sha256-…' …".
+std::string script_policy(const std::vector<PageScript>& scripts);
+
+/// Those of the page of a run with such sections, in the order in which they need each other.
+std::vector<PageScript> page_scripts(const std::vector<PageSection>& sections);
+
+/// The data that they work with, as elements.
+std::string page_data(const Document& document, const std::vector<PageSection>& sections);
 
 }  // namespace plumb

@@ -9,6 +9,11 @@
 
 namespace plumb {
 
+/// A script, with its SHA-256 in hexadecimal.
+struct PageScript {
+  std::string_view text, sha256;
+};
+
 /// Where a section stands in the page of a run.
 enum class PagePlace {
   comparisons,  ///< after the errors
@@ -25,7 +30,8 @@ struct PageSection {
   std::string title;  ///< above it
   std::string (*html)(const Document& json, const std::vector<Picture>& pictures) = nullptr;
   std::string figures_key = {};  ///< of the pictures that it shows; may be empty
-  std::string_view css = {}, script = {}, script_sha256 = {};
+  std::string_view css = {};
+  PageScript script = {};
   std::string data_id = {};                             ///< of the data that its script works with
   std::string (*data)(const Document& json) = nullptr;  ///< these, as JSON; nullptr: no script
   /// What it adds to the conclusion of the page, from the whole document; nullptr: nothing.

@@ -113,6 +113,11 @@ Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSect
   return results;
 }
 
+std::string met_in_words(const std::vector<Verdict>& verdicts) {
+  return fmt::format("{} of {} met.", count_of(verdicts, VerdictStatus::passed),
+                     counted(std::ssize(verdicts), "criterion", "criteria"));
+}
+
 std::string outcome_reason(const Results& results) {
   const std::vector<Verdict> all = own_verdicts(results);
   switch (results.outcome) {

@@ -38,6 +38,9 @@ Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSect
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
 
+/// "3 of 4 criteria met."
+std::string met_in_words(const std::vector<Verdict>& verdicts);
+
 /// "cut 12 times, to 3e-05 s at the shortest", where steps were tried and repeated shorter so many times;
 /// empty for none. A shortest step of -1 is not known.
 std::string step_cuts(long times, double shortest);

@@ -9,7 +9,6 @@
 
 #include "engine/study/work_precision/cheapest.h"
 #include "report/page/page_template.h"
-#include "report/page/study_page.h"
 #include "report/study/work_precision/compared_lines.h"
 #include "report/study/work_precision/study_chart_data.h"
 #include "report/study/work_precision/work_precision_figures.h"
@@ -324,8 +323,7 @@ PageSection work_precision_on_page() {
               },
           .figures_key = study_figures_key,
           .css = study_css,
-          .script = study_js,
-          .script_sha256 = study_js_sha256,
+          .script = {study_js, study_js_sha256},
           .data_id = study_data_id,
           .data = [](const Document& json) { return study_chart_data(work_precision_from_json(json)); },
           .clause = mesh_clause};
@@ -345,26 +343,19 @@ std::string mesh_clause(const Document& document) {
                      number(distance.get<double>()), elements.back(), number(study.at("end").get<double>()));
 }
 
-std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures) {
-  const WorkPrecision& study = results.study.result;
-  StudyShell shell;
-  shell.title = study.title;
-  shell.subject = "speed against accuracy";
-  shell.headline = headline(results);
-  shell.good = results.any_completed() && all_passed(results.verdicts);
-  shell.sections = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
-  if (!study_lines(study, StudyQuestion::time).empty()) shell.sections.emplace_back("study-orders", "Orders");
-  if (study.mesh) shell.sections.emplace_back("study-mesh", "Mesh");
-  shell.sections.emplace_back("study-failures", "Failures");
-  shell.section = study_html(study, pictures);
-  shell.css = study_css;
-  shell.scripts = data_element(study_data_id, study_chart_data(study)) + script_element(chart_min_js) +
-                  script_element(study_js);
-  shell.script_policy = script_policy({chart_min_js_sha256, study_js_sha256});
-  shell.verdict_note =
+StudySection shown_work_precision(const WorkPrecision& study, const std::vector<Picture>& pictures) {
+  StudySection section;
+  section.links = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
+  if (!study_lines(study, StudyQuestion::time).empty()) section.links.emplace_back("study-orders", "Orders");
+  if (study.mesh) section.links.emplace_back("study-mesh", "Mesh");
+  section.links.emplace_back("study-failures", "Failures");
+  section.html = study_html(study, pictures);
+  section.data = data_element(study_data_id, study_chart_data(study));
+  section.scripts = {{chart_min_js, chart_min_js_sha256}, {study_js, study_js_sha256}};
+  section.verdict_note =
       "All are <strong>verification</strong>: of the references, and of each method's order where its curve "
       "shows one.";
-  return study_shell(shell, results.verdicts, results.study.loaded.source, study.provenance, results.stages);
+  return section;
 }
 
 }  // namespace plumb

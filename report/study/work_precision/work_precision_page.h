@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "report/page/page_section.h"
-#include "report/study/work_precision/work_precision_results.h"
+#include "engine/study/work_precision/work_precision.h"
+#include "report/study/study_report.h"
 
 namespace plumb {
 
@@ -19,7 +19,7 @@ PageSection work_precision_on_page();
 /// "; the mesh itself is …"; empty for nothing.
 std::string mesh_clause(const Document& document);
 
-/// The page of `plumb study`: one file that opens offline.
-std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures);
+/// A whole study on its own page. `pictures` are those of study_figures.
+StudySection shown_work_precision(const WorkPrecision& study, const std::vector<Picture>& pictures);
 
 }  // namespace plumb

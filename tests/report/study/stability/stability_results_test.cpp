@@ -57,8 +57,8 @@ TEST(StabilityResults, AReferenceMustBeKnownAsLongAsRunsAreJudgedByIt) {
 
 TEST(StabilityResults, JsonJunitAndSummarySayTheSame) {
   StabilityStudyFile file = made_stability_file();
-  file.result.title = "Made <b>";
-  const StabilityResults results = evaluate_stability(file, {});
+  file.loaded.spec.title = "Made <b>";
+  const StudyReport results = evaluate_stability(file, {});
   const auto json = nlohmann::json::parse(to_json(results));
   EXPECT_TRUE(json["all_criteria_met"].get<bool>()) << json["verdicts"];
   EXPECT_EQ(json["stability"]["maps"].size(), 6U);

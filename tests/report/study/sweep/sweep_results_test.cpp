@@ -1,3 +1,5 @@
+#include "report/study/sweep/sweep_results.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 
 #include "engine/study/sweep/run_sweep.h"
 #include "render/image/png.h"
-#include "report/study/sweep/sweep_report.h"
 #include "tests/engine/study/sweep/tiny_sweep.h"
 #include "tests/report/program/program.h"
 
@@ -50,7 +51,7 @@ constexpr VerdictStatus passed = VerdictStatus::passed, failed = VerdictStatus::
 TEST(SweepReport, SaysWhatNoneOfTheCasesDoes) {
   const Sweep sweep = made_sweep();
   EXPECT_EQ(statuses(sweep), (std::vector{passed, passed, passed, passed}));
-  EXPECT_EQ(headline(evaluate_sweep(sweep, {})),
+  EXPECT_EQ(evaluate_sweep(sweep, {}).headline,
             "4 random cases: none ends accurate beyond its tolerance, none crashes or hangs, none holds a "
             "number that is not finite, and each ends in one of seven outcomes. 4 of 4 criteria met.");
   for (const SweepRun& run : sweep.runs) EXPECT_EQ(trouble_of(run, sweep.spec.tolerance), "");
@@ -60,9 +61,9 @@ TEST(SweepReport, OneRunThatIsWronglyAccurateFailsIt) {
   Sweep sweep = made_sweep();
   sweep.runs[2].second_error = 1.5e-3;
   EXPECT_EQ(statuses(sweep), (std::vector{failed, passed, passed, passed}));
-  EXPECT_NE(headline(evaluate_sweep(sweep, {})).find("1 ends accurate beyond its tolerance"),
+  EXPECT_NE(evaluate_sweep(sweep, {}).headline.find("1 ends accurate beyond its tolerance"),
             std::string::npos)
-      << headline(evaluate_sweep(sweep, {}));
+      << evaluate_sweep(sweep, {}).headline;
   EXPECT_EQ(trouble_of(sweep.runs[2], 1e-3), "accurate with 1e-05 m, but 0.0015 m from the second reference");
 }
 
@@ -109,7 +110,7 @@ TEST(SweepReport, SharesAreOfAllAndOfEachMethod) {
 
 TEST(SweepReport, PageNamesWhatIsWrongWithItsCommand) {
   Sweep sweep = made_sweep();
-  const std::string clean = to_sweep_page(evaluate_sweep(sweep, {}), {});
+  const std::string clean = to_page(evaluate_sweep(sweep, {}), shown_sweep(sweep, {}));
   EXPECT_EQ(clean.find("{{"), std::string::npos);
   EXPECT_EQ(clean.find("<script"), std::string::npos);
   EXPECT_EQ(clean.find("it <broke>"), std::string::npos);
@@ -120,7 +121,7 @@ TEST(SweepReport, PageNamesWhatIsWrongWithItsCommand) {
       "plumb solve tiny.toml --set 'cable.density=8000 / f^2' --set study.sweep.cases=4 --set "
       "method.name=rk4 --set supports.first=free";
   EXPECT_EQ(command_of(sweep, sweep.runs[3]), command);
-  const std::string page = to_sweep_page(evaluate_sweep(sweep, {}), {});
+  const std::string page = to_page(evaluate_sweep(sweep, {}), shown_sweep(sweep, {}));
   EXPECT_NE(page.find("hung: nothing for 60 s"), std::string::npos);
   EXPECT_NE(page.find("<strong>1 run:</strong>"), std::string::npos);
   const std::string summary = to_summary(evaluate_sweep(sweep, {}));

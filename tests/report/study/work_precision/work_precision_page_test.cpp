@@ -10,6 +10,7 @@
 #include "report/page/page.h"
 #include "report/study/work_precision/study_chart_data.h"
 #include "report/study/work_precision/work_precision_figures.h"
+#include "report/study/work_precision/work_precision_results.h"
 #include "report/verdict/results.h"
 #include "tests/report/study/work_precision/made_study.h"
 
@@ -25,8 +26,9 @@ std::vector<Picture> pictures(const WorkPrecision& study) {
 }
 
 std::string page_of(const WorkPrecision& result) {
-  const Study study{run_with("made").loaded, result};
-  return to_study_page(evaluate_study(study, {}), pictures(result));
+  Study study{run_with("made").loaded, result};
+  study.loaded.spec.title = result.title;
+  return to_page(evaluate_study(study, {}), shown_work_precision(result, pictures(result)));
 }
 
 std::size_t count(const std::string& text, const std::string& what) {

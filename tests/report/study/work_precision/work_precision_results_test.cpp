@@ -13,7 +13,7 @@ namespace study_results_test {
 Study made_study() {
   Study study{tiny_study_case(), {}};
   WorkPrecision& result = study.result;
-  result.title = "Made <b>";
+  study.loaded.spec.title = "Made <b>";
   result.fixed_elements = 2;
   result.end = 1;
   result.length = 1;
@@ -122,7 +122,7 @@ TEST(StudyResults, AReferenceThatIsNotCertifiedFailsAndSaysItsFloor) {
 TEST(StudyResults, JsonJunitAndSummarySayTheSame) {
   Study study = made_study();
   evaluate(study.result);
-  const StudyResults results = evaluate_study(study, {});
+  const StudyReport results = evaluate_study(study, {});
   const auto json = nlohmann::json::parse(to_json(results));
   const auto& part = json["work_precision"];
   EXPECT_EQ(part["runs"].size(), 4U);
