@@ -17,7 +17,6 @@
 namespace plumb {
 
 extern const std::string_view page_mustache;
-extern const std::string_view page_css;
 extern const std::string_view formulation_mustache;
 
 namespace {
@@ -69,7 +68,7 @@ data section_rows(const Document& document, const Pictures& pictures,
 std::string to_page(const Document& document, const Pictures& pictures,
                     std::span<const PageSection> known_sections) {
   std::vector<PageSection> sections;
-  std::string css(page_css), clause;
+  std::string css, clause;
   for (const PageSection& section : known_sections) {
     if (!document.contains(section.key)) continue;
     sections.push_back(section);
@@ -86,7 +85,6 @@ std::string to_page(const Document& document, const Pictures& pictures,
   const std::string outcome = solve.at("outcome").get<std::string>();
 
   data page;
-  page["css"] = css;
   page["dynamic"] = dynamic;
   page["title"] = text("title");
   const Conclusion conclusion = conclusion_of(document, clause);
@@ -102,8 +100,6 @@ std::string to_page(const Document& document, const Pictures& pictures,
                    "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
                    "shown is how it failed, no result of the case.",
                    solve.at("end_time").get<double>(), the_case.at("time").at("end").get<double>(), outcome);
-  page["outcome"] = outcome;
-  page["outcome_of_all"] = text("outcome");
   page["has_verdicts"] = !verdicts.empty();
   page["verdicts"] = verdict_groups(verdicts, command_of(document));
   page["has_errors"] = !document.at("errors").empty();
@@ -142,9 +138,9 @@ std::string to_page(const Document& document, const Pictures& pictures,
   const std::string changes = changes_html(document);
   page["has_changes"] = !changes.empty();
   page["changes"] = changes;
-  page["script_policy"] = "; " + script_policy(page_scripts(sections));
-  page["scripts"] = page_data(document, sections) + script_elements(page_scripts(sections));
-  return fill_in(page_mustache, page);
+  const std::string title = text("title") + " – Plumb report";
+  return html_page(conclusion.good ? title : text("outcome") + ": " + title, css,
+                   fill_in(page_mustache, page), page_scripts(sections), page_data(document, sections));
 }
 
 void write_report(const Document& document, const Pictures& pictures, std::span<const PageSection> sections,

@@ -4,9 +4,11 @@
 
 #include "report/base/base64.h"
 #include "report/base/escape.h"
+#include "report/page/page_template.h"
 
 namespace plumb {
 
+extern const std::string_view shell_mustache, page_css;
 extern const std::string_view chart_min_js, chart_min_js_sha256;
 extern const std::string_view report_js, report_js_sha256;
 extern const std::string_view clock_js, clock_js_sha256;
@@ -42,22 +44,25 @@ Document figures_of(const Document& document) {
 
 }  // namespace
 
-std::string script_elements(const std::vector<PageScript>& scripts) {
-  std::string html;
-  for (const PageScript& script : scripts) html += fmt::format("<script>{}</script>\n", script.text);
-  return html;
+std::string html_page(const std::string& title, std::string_view css, const std::string& body,
+                      const std::vector<PageScript>& scripts, const std::string& data) {
+  std::string policy = scripts.empty() ? "" : "; script-src", elements = data;
+  for (const PageScript& script : scripts) {
+    policy += fmt::format(" 'sha256-{}'", base64(from_hex(script.sha256)));
+    elements += fmt::format("<script>{}</script>\n", script.text);
+  }
+  kainjow::mustache::data page;
+  page["title"] = title;
+  page["script_policy"] = policy;
+  page["css"] = std::string(page_css).append(css);
+  page["body"] = body;
+  page["scripts"] = elements;
+  return fill_in(shell_mustache, page);
 }
 
 std::string data_element(const std::string& id, const std::string& json) {
   return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id,
                      escape_json_for_html(json));
-}
-
-std::string script_policy(const std::vector<PageScript>& scripts) {
-  std::string policy = "script-src";
-  for (const PageScript& script : scripts)
-    policy += fmt::format(" 'sha256-{}'", base64(from_hex(script.sha256)));
-  return policy;
 }
 
 std::vector<PageScript> page_scripts(const std::vector<PageSection>& sections) {

@@ -7,14 +7,13 @@
 
 namespace plumb {
 
-/// Script elements, for the end of a body.
-std::string script_elements(const std::vector<PageScript>& scripts);
+/// A whole page: one file that opens offline. `css` is beside that of every page, `body` its HTML, `data` the
+/// elements that its scripts, and none but these, work with.
+std::string html_page(const std::string& title, std::string_view css, const std::string& body,
+                      const std::vector<PageScript>& scripts = {}, const std::string& data = "");
 
 /// JSON for scripts, which find it by its id.
 std::string data_element(const std::string& id, const std::string& json);
-
-/// The directive that lets just those scripts run: "script-src 'sha256-…' …".
-std::string script_policy(const std::vector<PageScript>& scripts);
 
 /// Those of the page of a run with such sections, in the order in which they need each other.
 std::vector<PageScript> page_scripts(const std::vector<PageSection>& sections);

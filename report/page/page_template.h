@@ -30,10 +30,10 @@ kainjow::mustache::data picture_values(const Picture& picture, const std::string
 /// Rows of them.
 kainjow::mustache::data picture_rows(const std::vector<Picture>& pictures);
 
-/// Sets what the end of every report shows: the case's text and overrides, the provenance, and where the time
-/// went.
+/// Sets {{{case_source}}}, the case's overrides and its text, which is seen at once where `open`, and
+/// {{{provenance}}}, with where the time went.
 void set_case_and_provenance(kainjow::mustache::data& page, const CaseSource& source,
-                             const Provenance& provenance, const Stages& stages);
+                             const Provenance& provenance, const Stages& stages, bool open);
 
 /// The same from the document of a report.
 void set_case_and_provenance(kainjow::mustache::data& page, const nlohmann::ordered_json& document);

@@ -11,7 +11,6 @@
 namespace plumb {
 
 extern const std::string_view study_page_mustache;
-extern const std::string_view page_css;
 extern const std::string_view study_css;
 
 namespace {
@@ -58,8 +57,6 @@ std::string to_page(const StudyReport& report, const StudySection& section) {
   kainjow::mustache::data page, links{kainjow::mustache::data::type::list};
   page["title"] = report.loaded.spec.title;
   page["subject"] = report.subject;
-  page["css"] = std::string(page_css) + std::string(study_css) + section.css;
-  page["script_policy"] = section.scripts.empty() ? "" : script_policy(section.scripts);
   page["headline"] = report.headline;
   page["good"] = report.complete && all_passed(report.verdicts);
   for (const auto& [id, text] : section.links) {
@@ -73,9 +70,9 @@ std::string to_page(const StudyReport& report, const StudySection& section) {
   page["has_verdicts"] = !report.verdicts.empty();
   page["verdicts"] = verdict_html(report.verdicts);
   page["verdict_note"] = section.verdict_note;
-  set_case_and_provenance(page, report.loaded.source, report.provenance, report.stages);
-  page["scripts"] = section.data + script_elements(section.scripts);
-  return fill_in(study_page_mustache, page);
+  set_case_and_provenance(page, report.loaded.source, report.provenance, report.stages, false);
+  return html_page(report.loaded.spec.title + " – Plumb study", std::string(study_css) + section.css,
+                   fill_in(study_page_mustache, page), section.scripts, section.data);
 }
 
 }  // namespace plumb
