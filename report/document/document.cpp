@@ -139,8 +139,8 @@ Document document_of(const Results& results, const Pictures& pictures) {
   return Json::parse(to_json(json));
 }
 
-std::string to_json(const Document& document) {
-  if (document.contains("schema_version")) return to_summed_text(document, 1);
+std::string to_json(const Document& document, bool has_sum) {
+  if (has_sum && document.contains("schema_version")) return to_summed_text(document, 1);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -11,8 +11,8 @@ namespace plumb {
 /// The document of a run that was evaluated and drawn.
 Document document_of(const Results& results, const Pictures& pictures);
 
-/// The text of results.json, with its check sum.
-std::string to_json(const Document& document);
+/// The text of results.json, with its check sum where it is to have one; what has no version never has.
+std::string to_json(const Document& document, bool has_sum = true);
 
 /// Reads results.json. Throws InputError for a file that cannot be read, is not JSON, is of a later version
 /// or is not that of a run, and unless it may be one for a file that was changed after it was written. One

@@ -5,6 +5,7 @@
 #include "engine/base/errors.h"
 #include "engine/integrate/method_info.h"
 #include "report/base/document_value.h"
+#include "report/document/report_formats.h"
 #include "report/page/changes_html.h"
 #include "report/page/conclusion.h"
 #include "report/page/given_html.h"
@@ -146,9 +147,7 @@ std::string to_page(const Document& document, const Pictures& pictures,
 void write_report(const Document& document, const Pictures& pictures, std::span<const PageSection> sections,
                   OutputFolder& folder) {
   folder.write("index.html", to_page(document, pictures, sections));
-  folder.write("results.json", to_json(document));
-  folder.write("junit.xml", to_junit(document));
-  folder.write("summary.md", to_summary(document));
+  write_formats(content_of(document), folder);
 }
 
 }  // namespace plumb

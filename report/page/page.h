@@ -14,7 +14,7 @@ namespace plumb {
 std::string to_page(const Document& document, const Pictures& pictures,
                     std::span<const PageSection> sections = {});
 
-/// Writes index.html, results.json, junit.xml and summary.md. Throws OutputError.
+/// Writes index.html and a file of each format. Throws OutputError.
 void write_report(const Document& document, const Pictures& pictures, std::span<const PageSection> sections,
                   OutputFolder& folder);
 

@@ -8,9 +8,7 @@ namespace plumb {
 void put_in_place(const StudyReport& report, const StudySection& section, OutputFolder& folder,
                   Stages& stages) {
   folder.write("index.html", to_page(report, section));
-  folder.write("results.json", to_json(report));
-  folder.write("junit.xml", to_junit(report));
-  folder.write("summary.md", to_summary(report));
+  write_formats(content_of(report), folder);
   folder.commit();
   stages.end();
 }
@@ -20,7 +18,7 @@ ExitStatus say_end(const StudyReport& report, const OutputFolder& folder, const 
   talk.line(report.headline);
   say_stages(stages, talk);
   talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(to_json(report));
+  if (options.json) write_to_standard_output(to_json(content_of(report).document, false));
   if (!report.complete) return ExitStatus::solver_failed;
   return all_passed(report.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
 }

@@ -8,7 +8,7 @@
 /// How every kind of study ends.
 namespace plumb {
 
-/// Writes index.html, results.json, junit.xml and summary.md, puts the folder in place and ends the stage.
+/// Writes index.html and a file of each format, puts the folder in place and ends the stage.
 /// Throws OutputError.
 void put_in_place(const StudyReport& report, const StudySection& section, OutputFolder& folder,
                   Stages& stages);

@@ -20,9 +20,7 @@ std::string lines_within(const std::string& text, std::size_t room) {
   return text.size() <= room ? text : text.substr(0, room == 0 ? 0 : text.rfind('\n', room - 1) + 1);
 }
 
-}  // namespace
-
-std::string to_json(const StudyReport& report) {
+Document document_of(const StudyReport& report) {
   Document json;
   json["schema_version"] = results_version;
   json["title"] = report.loaded.spec.title;
@@ -35,22 +33,27 @@ std::string to_json(const StudyReport& report) {
   json["case"] = case_json(report.loaded);
   for (const auto& [name, seconds] : report.stages.all()) json["seconds"][name] = seconds;
   for (const auto& [name, value] : report.provenance) json["provenance"][name] = value;
-  return json.dump(1, ' ', false, Document::error_handler_t::replace) + "\n";
+  return json;
 }
 
-std::string to_junit(const StudyReport& report) {
-  return junit_xml(report.loaded.spec.title, report.suites);
-}
-
-std::string to_summary(const StudyReport& report) {
+std::string summary_of(const StudyReport& report) {
   constexpr std::size_t most = 63 * 1024;
   const std::string head = fmt::format("# {}: {}\n\n{}\n\n", escape_markdown(report.loaded.spec.title),
                                        escape_markdown(report.subject), escape_markdown(report.headline));
   // The verdicts, of bounded length themselves, go first where there is no room for all.
   const std::string verdicts = verdict_table(report.verdicts);
   const auto room = [&](std::size_t taken) { return most - std::min(most, taken); };
-  std::string text = head + lines_within(report.before, room(head.size() + verdicts.size())) + verdicts;
+  std::string text = head;
+  if (!report.before.empty())
+    text += lines_within(report.before, room(head.size() + verdicts.size() + 1)) + "\n";
+  text += verdicts;
   return text + lines_within(report.after, room(text.size()));
+}
+
+}  // namespace
+
+ReportContent content_of(const StudyReport& report) {
+  return {report.loaded.spec.title, document_of(report), false, report.suites, summary_of(report)};
 }
 
 std::string to_page(const StudyReport& report, const StudySection& section) {

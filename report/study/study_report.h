@@ -7,7 +7,7 @@
 #include "engine/case/case_source.h"
 #include "engine/run/provenance.h"
 #include "report/base/stages.h"
-#include "report/document/junit_suites.h"
+#include "report/document/report_formats.h"
 #include "report/page/page_scripts.h"
 
 namespace plumb {
@@ -27,10 +27,8 @@ struct StudyReport {
   std::string before = {}, after = {};  ///< Markdown around the verdicts of summary.md, of whole lines
 };
 
-/// results.json, junit.xml and summary.md, the last of which is below 64 KiB.
-std::string to_json(const StudyReport& report);
-std::string to_junit(const StudyReport& report);
-std::string to_summary(const StudyReport& report);
+/// What its files but the page say.
+ReportContent content_of(const StudyReport& report);
 
 /// A study as a part of its page.
 struct StudySection {

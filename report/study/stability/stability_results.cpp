@@ -137,7 +137,6 @@ StudyReport evaluate_stability(const StabilityStudyFile& file, const Stages& sta
   for (const OutcomeMap& map : study.maps)
     if (map.axis == MapAxis::elements)
       report.before += fmt::format("- {}: {}\n", escape_markdown(map.label), escape_markdown(map.in_words));
-  report.before += "\n";
   return report;
 }
 

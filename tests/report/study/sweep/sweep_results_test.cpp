@@ -96,7 +96,7 @@ TEST(SweepReport, SharesAreOfAllAndOfEachMethod) {
   ASSERT_EQ(by_method.size(), 2U);
   EXPECT_EQ(by_method[0].first, "rk4");
   EXPECT_EQ(by_method[1].second, (OutcomeCounts{{Outcome::accurate, 1}}));
-  const Json json = Json::parse(to_json(evaluate_sweep(sweep, {})));
+  const Json json = content_of(evaluate_sweep(sweep, {})).document;
   EXPECT_EQ(json["sweep"]["outcomes"]["accurate"]["share"], 0.5);
   EXPECT_EQ(json["sweep"]["methods"]["rk4"]["unstable"]["runs"], 1);
   EXPECT_EQ(json["sweep"]["runs"].size(), 4U);
@@ -124,16 +124,17 @@ TEST(SweepReport, PageNamesWhatIsWrongWithItsCommand) {
   const std::string page = to_page(evaluate_sweep(sweep, {}), shown_sweep(sweep, {}));
   EXPECT_NE(page.find("hung: nothing for 60 s"), std::string::npos);
   EXPECT_NE(page.find("<strong>1 run:</strong>"), std::string::npos);
-  const std::string summary = to_summary(evaluate_sweep(sweep, {}));
+  const std::string summary = content_of(evaluate_sweep(sweep, {})).summary;
   EXPECT_NE(summary.find(command), std::string::npos) << summary;
-  EXPECT_NE(to_junit(evaluate_sweep(sweep, {})).find("failures=\"1\""), std::string::npos);
+  EXPECT_NE(report_formats()[1].text(content_of(evaluate_sweep(sweep, {}))).find("failures=\"1\""),
+            std::string::npos);
 }
 
 TEST(SweepReport, SummaryStaysBelowItsSizeHoweverMuchIsWrong) {
   Sweep sweep = made_sweep();
   sweep.runs.resize(3000, sweep.runs[1]);
   for (SweepRun& run : sweep.runs) run.fault = "crashed (signal 11)";
-  EXPECT_LT(to_summary(evaluate_sweep(sweep, {})).size(), 64U * 1024);
+  EXPECT_LT(content_of(evaluate_sweep(sweep, {})).summary.size(), 64U * 1024);
 }
 
 TEST(SweepProgram, StudyMakesItsFolderAndReportSaysTheSameAgain) {

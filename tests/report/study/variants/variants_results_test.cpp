@@ -89,7 +89,7 @@ TEST(VariantsResults, NumbersHaveTheDigitsOfTheirMargin) {
 TEST(VariantsResults, JunitHasATestCaseForEachWithWhatWasExpectedAndFound) {
   const VariantsStudy study =
       study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.3)});
-  const std::string xml = to_junit(evaluate_variants(study, {}));
+  const std::string xml = report_formats()[1].text(content_of(evaluate_variants(study, {})));
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("expected: unstable; end-time = 1.200 ± 0.05 s; found: unstable; end-time = 1.300 s"),
             std::string::npos)
@@ -98,7 +98,7 @@ TEST(VariantsResults, JunitHasATestCaseForEachWithWhatWasExpectedAndFound) {
 
 TEST(VariantsResults, JsonHasEveryFigure) {
   const VariantsStudy study = study_of({made("0.1", Outcome::unstable, 1.21)});
-  const auto json = nlohmann::json::parse(to_json(evaluate_variants(study, {})));
+  const auto json = content_of(evaluate_variants(study, {})).document;
   EXPECT_EQ(json["all_criteria_met"], true);
   const auto& variant = json["variants"][0];
   EXPECT_EQ(variant["solve"]["outcome"], "unstable");
