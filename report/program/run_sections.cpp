@@ -16,7 +16,8 @@ std::vector<RunSection> sections_of(const Run& run, const std::optional<Study>& 
                                     const std::optional<Economy>& economy, const Assessment& assessment) {
   std::vector<RunSection> sections = economy_sections(run, economy);
   if (study) sections.insert(sections.begin(), work_precision_section(study->result));
-  if (assessment.uncertainty) sections.push_back(uncertainty_section(*assessment.uncertainty, run.loaded.spec));
+  if (assessment.uncertainty)
+    sections.push_back(uncertainty_section(*assessment.uncertainty, run.loaded.spec));
   if (assessment.error_budget) sections.push_back(budget_section(*assessment.error_budget));
   return sections;
 }
