@@ -83,4 +83,19 @@ std::string markdown_code(std::string_view text) {
   return longest > 0 ? fence + " " + line + " " + fence : fence + line + fence;
 }
 
+std::string escape_json_for_html(const std::string& json) {
+  std::string result;
+  for (const char c : json) {
+    if (c == '<')
+      result += "\\u003c";
+    else if (c == '>')
+      result += "\\u003e";
+    else if (c == '&')
+      result += "\\u0026";
+    else
+      result += c;
+  }
+  return result;
+}
+
 }  // namespace plumb

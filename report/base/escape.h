@@ -16,4 +16,7 @@ std::string escape_markdown(std::string_view text);
 /// Text as code in Markdown, on one line.
 std::string markdown_code(std::string_view text);
 
+/// JSON for within an HTML script element, where no "</script" or "<!--" may be.
+std::string escape_json_for_html(const std::string& json);
+
 }  // namespace plumb

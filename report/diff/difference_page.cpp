@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "report/page/page_scripts.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
 
-extern const std::string_view page_css;
-extern const std::string_view difference_mustache;
+extern const std::string_view difference_mustache, difference_css;
 
 using kainjow::mustache::data;
 
@@ -65,7 +65,6 @@ std::string to_difference_page(const std::string& a, const std::string& b,
     if (!file->marks.empty()) row["marks"] = data_uri(file->marks);
     pictures.push_back(row);
   }
-  page["css"] = std::string(page_css);
   page["first"] = a;
   page["second"] = b;
   page["headline"] = headline(files);
@@ -75,7 +74,8 @@ std::string to_difference_page(const std::string& a, const std::string& b,
                          ? fmt::format("{} more pictures differ by less and are not shown.", left_out)
                          : std::string();
   page.set("pictures", pictures);
-  return fill_in(difference_mustache, page);
+  return html_page(fmt::format("{} and {} – Plumb diff", a, b), difference_css,
+                   fill_in(difference_mustache, page));
 }
 
 }  // namespace plumb

@@ -23,6 +23,14 @@ struct ProbeMove {
   std::string unlike;   ///< why they cannot be compared; empty: they can
 };
 
+/// What became of a figure since an earlier report.
+struct PictureMove {
+  std::string file;  ///< "figures/energy.png"
+  bool moved = true;
+  double density = -1;   ///< greatest share of the pixels of any window that differ; -1: not compared
+  std::string in_words;  ///< how far they differ, or why they could not be compared
+};
+
 /// One for each column that either report has.
 std::vector<ProbeMove> probe_moves(const Document& before, const Document& now);
 

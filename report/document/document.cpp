@@ -1,14 +1,9 @@
 #include "report/document/document.h"
 
 #include "engine/base/document_sum.h"
-#include "engine/integrate/method_info.h"
-#include "engine/study/uncertainty/budget_json.h"
-#include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/document/case_json.h"
 #include "report/document/given_json.h"
 #include "report/figure/panels_json.h"
-#include "report/study/economy/economy_section.h"
-#include "report/study/work_precision/work_precision_json.h"
 
 namespace plumb {
 namespace {
@@ -96,6 +91,10 @@ Json animation_json(const Pictures& pictures) {
 
 }  // namespace
 
+bool is_figures_key(std::string_view key) {
+  return key == figures_key || key.ends_with(std::string("_") + figures_key);
+}
+
 Document document_of(const Results& results, const Pictures& pictures) {
   const Run& run = results.run;
   Json json;
@@ -123,19 +122,13 @@ Document document_of(const Results& results, const Pictures& pictures) {
   for (const Column& column : run.probes.columns)
     json["probes"][column.name] = {{"unit", column.unit}, {"values", column.values}};
   if (!run.loaded.given_runs.empty()) json["given_runs"] = given_runs_json(results);
-  json["figures"] = picture_json(pictures.figures);
+  json[figures_key] = picture_json(pictures.figures);
   json["animation"] = animation_json(pictures);
   json["renderer"] = pictures.renderer;
-  if (results.study) {
-    json["work_precision"] = work_precision_json(results.study->result);
-    json["study_figures"] = picture_json(pictures.study);
-  }
-  if (results.economy) json["economy"] = economy_document(*results.economy, run.loaded.spec.scene);
-  if (results.assessment && results.assessment->uncertainty)
-    json["uncertainty"] = uncertainty_json(*results.assessment->uncertainty);
-  if (results.assessment && results.assessment->error_budget) {
-    json["error_budget"] = budget_json(*results.assessment->error_budget);
-    json["error_budget_figures"] = picture_json(pictures.budget);
+  for (const RunSection& section : results.sections) {
+    if (!section.key.empty()) json[section.key] = section.json;
+    if (!section.figures_key.empty() && section.figures_key != figures_key)
+      json[section.figures_key] = picture_json(pictures.of(section.figures_key));
   }
   json["case"] = case_json(run.loaded);
   json["seconds"] = Json::object();
@@ -146,8 +139,8 @@ Document document_of(const Results& results, const Pictures& pictures) {
   return Json::parse(to_json(json));
 }
 
-std::string to_json(const Document& document) {
-  if (document.contains("schema_version")) return to_summed_text(document, 1);
+std::string to_json(const Document& document, bool has_sum) {
+  if (has_sum && document.contains("schema_version")) return to_summed_text(document, 1);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -173,10 +173,9 @@ void check_claims(const Document& document, const std::string& path) {
 Pictures pictures_of(const Document& document, const std::string& folder) {
   PictureReader reader(folder);
   Pictures pictures;
-  pictures.figures = reader.read_all(document.at("figures"));
-  if (document.contains("study_figures")) pictures.study = reader.read_all(document.at("study_figures"));
-  if (document.contains("error_budget_figures"))
-    pictures.budget = reader.read_all(document.at("error_budget_figures"));
+  pictures.figures = reader.read_all(document.at(figures_key));
+  for (const auto& [key, list] : document.items())
+    if (is_figures_key(key) && key != figures_key) pictures.sections[key] = reader.read_all(list);
   const Document& animation = document.at("animation");
   pictures.frames = count_in(animation, "frames");
   pictures.first_frame = count_in(animation, "first_frame");

@@ -9,7 +9,6 @@
 #include "engine/base/errors.h"
 #include "render/image/image_difference.h"
 #include "report/document/case_json.h"
-#include "report/document/changes.h"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/diff/picture_moves.h"
-#include "report/document/document.h"
+#include "report/document/changes.h"
 
 namespace plumb {
 

@@ -87,6 +87,24 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlCo
   return pictures;
 }
 
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const std::string& title,
+                                  OutputFolder& folder) {
+  const GlContext context;
+  return draw_figures(figures, context, picture_texts(context, title), folder);
+}
+
+const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name) {
+  for (const Picture& picture : pictures)
+    if (picture.file == fmt::format("figures/{}.png", name)) return &picture;
+  return nullptr;
+}
+
+const std::vector<Picture>& Pictures::of(const std::string& key) const {
+  static const std::vector<Picture> none;
+  const auto found = sections.find(key);
+  return key == figures_key ? figures : found == sections.end() ? none : found->second;
+}
+
 Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesError>& errors,
               const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
               const DrawingProgress& progress) {

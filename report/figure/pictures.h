@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,11 +27,16 @@ struct Picture {
   std::vector<PanelTimes> times = {};  ///< as in Figure
 };
 
+/// The key in results.json of the figures of a run; those of its sections have keys that end likewise.
+inline constexpr const char* figures_key = "figures";
+
+/// The picture of that name among those drawn, or nullptr.
+const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name);
+
 /// What was drawn of a run, as the page needs it.
 struct Pictures {
   std::vector<Picture> figures;
-  std::vector<Picture> study;   ///< figures of a study of the same case, if there is one
-  std::vector<Picture> budget;  ///< figures of its error budget, if there is one
+  std::map<std::string, std::vector<Picture>> sections;  ///< of its sections, by their key in results.json
   int first_frame = 0;
   int frames = 0;
   double frame_rate = 0;          ///< 1/s
@@ -44,6 +50,8 @@ struct Pictures {
   std::vector<std::string> animation_notes = {};
 
   bool animated() const { return frames > 0; }
+  /// Those of a key in results.json; none where there is no such key.
+  const std::vector<Picture>& of(const std::string& key) const;
 };
 
 /// What every picture file says of itself: program, title, and what drew it.
@@ -57,6 +65,9 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
 /// when drawing or writing fails, Interrupted when the user stops it.
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
                                   const PngTexts& texts, OutputFolder& folder);
+/// The same with a context of their own; `title` is in each picture file.
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const std::string& title,
+                                  OutputFolder& folder);
 
 /// Called now and then with the share done, 0 to 1.
 using DrawingProgress = std::function<void(double)>;

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include "report/index/run_index.h"
+#include "report/page/page_scripts.h"
 #include "report/page/page_template.h"
 #include "report/page/verdict_html.h"
 
 namespace plumb {
 
 extern const std::string_view index_mustache;
-extern const std::string_view page_css;
 
 namespace {
 
@@ -46,24 +46,16 @@ data report_row(const Document& report) {
 
 std::string index_page(const Document& index, const std::vector<Picture>& figures) {
   data page;
-  page["css"] = std::string(page_css);
   page["count"] = std::to_string(index.at("reports").size());
   page["headline"] = index.at("headline").get<std::string>();
   page["good"] = index.at("all_criteria_met").get<bool>();
-  data reports{data::type::list}, pictures{data::type::list};
+  data reports{data::type::list};
   for (const Document& report : index.at("reports")) reports.push_back(report_row(report));
   page.set("reports", reports);
   page["has_figures"] = !figures.empty();
-  for (const Picture& figure : figures) {
-    data row;
-    row["title"] = figure.title;
-    row["alt"] = figure.alt;
-    row["file"] = figure.file;
-    row["uri"] = data_uri(figure.png);
-    pictures.push_back(row);
-  }
-  page.set("figures", pictures);
-  return fill_in(index_mustache, page);
+  page.set("figures", picture_rows(figures));
+  return html_page(fmt::format("{} Plumb reports", index.at("reports").size()), "",
+                   fill_in(index_mustache, page));
 }
 
 }  // namespace plumb

@@ -153,7 +153,7 @@ Document index_of(const std::vector<IndexedReport>& reports, const std::vector<P
   return index;
 }
 
-std::string index_junit(const std::vector<IndexedReport>& reports) {
+std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports) {
   std::vector<JunitSuite> all;
   for (const IndexedReport& report : reports) {
     if (report.document.is_null()) {
@@ -166,7 +166,7 @@ std::string index_junit(const std::vector<IndexedReport>& reports) {
       all.push_back(std::move(suite));
     }
   }
-  return junit_xml("Plumb", all);
+  return all;
 }
 
 std::string index_summary(const Document& index) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "report/document/document.h"
+#include "report/document/junit_suites.h"
 
 namespace plumb {
 
@@ -25,8 +26,8 @@ Document index_of(const std::vector<IndexedReport>& reports, const std::vector<P
 /// index.html of several reports, what failed first.
 std::string index_page(const Document& index, const std::vector<Picture>& figures);
 
-/// junit.xml of several reports: a suite a report and kind of verdict.
-std::string index_junit(const std::vector<IndexedReport>& reports);
+/// The test cases of several reports: a suite a report and kind of verdict.
+std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports);
 
 /// summary.md of several reports, below 64 KiB.
 std::string index_summary(const Document& index);

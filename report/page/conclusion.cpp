@@ -58,23 +58,7 @@ std::string distance_of(const Verdict& worst, const std::string& reference, cons
                      column, number(worst.limit), worst.unit);
 }
 
-/// What the distance between meshes of a study in the document says of the mesh of the run; empty for
-/// nothing.
-std::string mesh_clause(const Document& document) {
-  if (document.contains("computed_by")) return "";
-  if (!document.contains("work_precision") || !document.at("work_precision").contains("mesh")) return "";
-  const Document &study = document.at("work_precision"), &mesh = study.at("mesh");
-  const auto elements = mesh.at("elements").get<std::vector<long>>();
-  const auto own =
-      std::find(elements.begin(), elements.end(), document.at("solve").at("elements").get<long>());
-  if (elements.empty() || own == elements.end() || own + 1 == elements.end()) return "";
-  const Document& distance = mesh.at("distance").at(static_cast<std::size_t>(own - elements.begin()));
-  if (!distance.is_number() || !(distance.get<double>() > 0)) return "";
-  return fmt::format("; the mesh itself is {} m from that of {} elements over {} s",
-                     number(distance.get<double>()), elements.back(), number(study.at("end").get<double>()));
-}
-
-std::string sentence_of(const Document& document) {
+std::string sentence_of(const Document& document, const std::string& clause) {
   const Document& solve = document.at("solve");
   const std::vector<Verdict> verdicts = verdicts_of(document);
   const auto count = [&](VerdictStatus status) {
@@ -93,7 +77,7 @@ std::string sentence_of(const Document& document) {
                                   : fmt::format("none of its {} criteria could be judged.", all));
   if (all == 0)
     return fmt::format("The {} completed and was held against nothing: how accurate it is cannot be told{}.",
-                       run_of(document), mesh_clause(document));
+                       run_of(document), clause);
 
   std::vector<std::string> agreements, distances;
   for (const Document& reference : document.at("references")) {
@@ -122,15 +106,15 @@ std::string sentence_of(const Document& document) {
     text = fmt::format("The {} completed, but none of {} could be judged", run_of(document), of_all);
   else if (not_run > 0)
     text += fmt::format("; {} of {} could not be judged", not_run, of_all);
-  return text + mesh_clause(document) + ".";
+  return text + clause + ".";
 }
 
 }  // namespace
 
-Conclusion conclusion_of(const Document& document) {
+Conclusion conclusion_of(const Document& document, const std::string& clause) {
   Conclusion conclusion;
   conclusion.good = document.at("all_criteria_met").get<bool>() && !document.at("verdicts").empty();
-  conclusion.sentence = sentence_of(document);
+  conclusion.sentence = sentence_of(document, clause);
   if (document.at("complete").get<bool>()) return conclusion;
   conclusion.trouble = document.at("solve").at("message").get<std::string>();
   constexpr std::string_view before_help = "; what would help: ";

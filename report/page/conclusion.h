@@ -14,7 +14,8 @@ struct Conclusion {
   std::string help;      ///< what would help; empty where that is not known
 };
 
-/// Draws it from the figures of the document, and claims nothing beyond them.
-Conclusion conclusion_of(const Document& document);
+/// Draws it from the figures of the document, and claims nothing beyond them. `clause` is what the sections
+/// of the page add to its sentence.
+Conclusion conclusion_of(const Document& document, const std::string& clause = "");
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include "engine/base/errors.h"
 #include "engine/integrate/method_info.h"
 #include "report/base/document_value.h"
+#include "report/document/report_formats.h"
 #include "report/page/changes_html.h"
 #include "report/page/conclusion.h"
 #include "report/page/given_html.h"
@@ -13,36 +14,15 @@
 #include "report/page/page_template.h"
 #include "report/page/reproduce.h"
 #include "report/page/verdict_groups.h"
-#include "report/study/economy/economy_section.h"
-#include "report/study/uncertainty/budget_section.h"
-#include "report/study/uncertainty/uncertainty_section.h"
-#include "report/study/work_precision/work_precision_json.h"
-#include "report/study/work_precision/work_precision_page.h"
 
 namespace plumb {
 
 extern const std::string_view page_mustache;
-extern const std::string_view page_css;
-extern const std::string_view study_css;
 extern const std::string_view formulation_mustache;
 
 namespace {
 
 using kainjow::mustache::data;
-
-data figure_rows(const std::vector<Picture>& pictures) {
-  data rows{data::type::list};
-  for (const Picture& picture : pictures) {
-    data row;
-    row["title"] = picture.title;
-    row["alt"] = picture.alt;
-    row["tall"] = picture.tall;
-    row["file"] = picture.file;
-    row["uri"] = data_uri(picture.png);
-    rows.push_back(row);
-  }
-  return rows;
-}
 
 const MethodInfo& method_of(const Document& the_case) {
   const std::string name = the_case.at("method").at("name").get<std::string>();
@@ -69,9 +49,33 @@ std::string formulation_html(const Document& document) {
   return fill_in(formulation_mustache, formulation);
 }
 
+data section_rows(const Document& document, const Pictures& pictures,
+                  const std::vector<PageSection>& sections, PagePlace place) {
+  data rows{data::type::list};
+  for (const PageSection& section : sections) {
+    if (section.place != place) continue;
+    data row;
+    row["id"] = section.id;
+    row["link"] = section.link;
+    row["heading"] = section.title;
+    row["html"] = section.html(document.at(section.key), pictures.of(section.figures_key));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 }  // namespace
 
-std::string to_page(const Document& document, const Pictures& pictures) {
+std::string to_page(const Document& document, const Pictures& pictures,
+                    std::span<const PageSection> known_sections) {
+  std::vector<PageSection> sections;
+  std::string css, clause;
+  for (const PageSection& section : known_sections) {
+    if (!document.contains(section.key)) continue;
+    sections.push_back(section);
+    css += section.css;
+    if (section.clause) clause += section.clause(document);
+  }
   const auto text = [&](const char* key) { return document.at(key).get<std::string>(); };
   const Document &the_case = document.at("case"), &solve = document.at("solve"),
                  &energy = document.at("energy");
@@ -82,10 +86,9 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   const std::string outcome = solve.at("outcome").get<std::string>();
 
   data page;
-  page["css"] = std::string(page_css) + (document.contains("work_precision") ? std::string(study_css) : "");
   page["dynamic"] = dynamic;
   page["title"] = text("title");
-  const Conclusion conclusion = conclusion_of(document);
+  const Conclusion conclusion = conclusion_of(document, clause);
   page["good"] = conclusion.good;
   page["sentence"] = conclusion.sentence;
   page["trouble"] = conclusion.trouble;
@@ -98,15 +101,13 @@ std::string to_page(const Document& document, const Pictures& pictures) {
                    "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
                    "shown is how it failed, no result of the case.",
                    solve.at("end_time").get<double>(), the_case.at("time").at("end").get<double>(), outcome);
-  page["outcome"] = outcome;
-  page["outcome_of_all"] = text("outcome");
   page["has_verdicts"] = !verdicts.empty();
   page["verdicts"] = verdict_groups(verdicts, command_of(document));
   page["has_errors"] = !document.at("errors").empty();
   page["errors"] = error_rows(document);
   page["has_references"] = !document.at("references").empty();
   page["references"] = reference_rows(document);
-  page.set("figures", figure_rows(pictures.figures));
+  page.set("figures", picture_rows(pictures.figures));
   page["animation"] = data_uri(pictures.page_animation);
   page["still"] = data_uri(pictures.page_still);
   page["animation_width"] = std::to_string(pictures.page_animation_width);
@@ -133,23 +134,20 @@ std::string to_page(const Document& document, const Pictures& pictures) {
   page["formulation"] = formulation_html(document);
   page["case_rows"] = case_rows(document);
   set_case_and_provenance(page, document);
-  if (document.contains("economy")) page["economy"] = economy_section(document.at("economy"));
-  page["has_uncertainty"] = document.contains("uncertainty");
-  if (document.contains("uncertainty")) page["uncertainty"] = uncertainty_section(document.at("uncertainty"));
-  page["has_budget"] = document.contains("error_budget");
-  if (document.contains("error_budget"))
-    page["budget"] = budget_section(document.at("error_budget"), pictures.budget);
+  page.set("of_comparisons", section_rows(document, pictures, sections, PagePlace::comparisons));
+  page.set("of_cost", section_rows(document, pictures, sections, PagePlace::cost));
   const std::string changes = changes_html(document);
   page["has_changes"] = !changes.empty();
   page["changes"] = changes;
-  page["has_study"] = document.contains("work_precision");
-  if (document.contains("work_precision")) {
-    const WorkPrecision study = work_precision_from_json(document.at("work_precision"));
-    page["study"] = study_section(study, pictures.study);
-  }
-  page["script_policy"] = "; " + page_script_policy(document);
-  page["scripts"] = page_scripts(document);
-  return fill_in(page_mustache, page);
+  const std::string title = text("title") + " – Plumb report";
+  return html_page(conclusion.good ? title : text("outcome") + ": " + title, css,
+                   fill_in(page_mustache, page), page_scripts(sections), page_data(document, sections));
+}
+
+void write_report(const Document& document, const Pictures& pictures, std::span<const PageSection> sections,
+                  OutputFolder& folder) {
+  folder.write("index.html", to_page(document, pictures, sections));
+  write_formats(content_of(document), folder);
 }
 
 }  // namespace plumb

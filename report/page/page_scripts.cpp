@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
-#include "report/page/page_data.h"
-#include "report/page/study_page.h"
-#include "report/study/work_precision/study_chart_data.h"
-#include "report/study/work_precision/work_precision_json.h"
+#include "report/base/base64.h"
+#include "report/base/escape.h"
+#include "report/page/page_template.h"
 
 namespace plumb {
 
+extern const std::string_view shell_mustache, page_css;
 extern const std::string_view chart_min_js, chart_min_js_sha256;
 extern const std::string_view report_js, report_js_sha256;
 extern const std::string_view clock_js, clock_js_sha256;
@@ -19,40 +17,73 @@ extern const std::string_view charts_js, charts_js_sha256;
 extern const std::string_view downloads_js, downloads_js_sha256;
 extern const std::string_view tables_js, tables_js_sha256;
 extern const std::string_view verdict_filter_js, verdict_filter_js_sha256;
-extern const std::string_view study_js, study_js_sha256;
 
 namespace {
 
-struct Script {
-  std::string_view text, sha256;
-};
+std::string from_hex(std::string_view hex) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
+  return bytes;
+}
 
-/// In the order in which they need each other.
-std::vector<Script> scripts_of(const Document& document) {
-  std::vector<Script> scripts{
-      {chart_min_js, chart_min_js_sha256}, {report_js, report_js_sha256},
-      {clock_js, clock_js_sha256},         {player_js, player_js_sha256},
-      {charts_js, charts_js_sha256},       {downloads_js, downloads_js_sha256},
-      {tables_js, tables_js_sha256},       {verdict_filter_js, verdict_filter_js_sha256}};
-  if (document.contains("work_precision")) scripts.push_back({study_js, study_js_sha256});
-  return scripts;
+/// Of the figures with their numbers; those of sections are no charts.
+Document figures_of(const Document& document) {
+  Document figures = Document::array();
+  for (const auto& [key, list] : document.items()) {
+    if (!is_figures_key(key)) continue;
+    for (const Document& figure : list)
+      if (figure.contains("panels"))
+        figures.push_back({{"file", figure.at("file")},
+                           {"title", figure.at("title")},
+                           {"chart", key == figures_key},
+                           {"panels", figure.at("panels")}});
+  }
+  return figures;
 }
 
 }  // namespace
 
-std::string page_scripts(const Document& document) {
-  std::string html = data_element("page-data", page_data(document));
-  if (document.contains("work_precision"))
-    html +=
-        data_element("study-data", study_chart_data(work_precision_from_json(document.at("work_precision"))));
-  for (const Script& script : scripts_of(document)) html += script_element(script.text);
-  return html;
+std::string html_page(const std::string& title, std::string_view css, const std::string& body,
+                      const std::vector<PageScript>& scripts, const std::string& data) {
+  std::string policy = scripts.empty() ? "" : "; script-src", elements = data;
+  for (const PageScript& script : scripts) {
+    policy += fmt::format(" 'sha256-{}'", base64(from_hex(script.sha256)));
+    elements += fmt::format("<script>{}</script>\n", script.text);
+  }
+  kainjow::mustache::data page;
+  page["title"] = title;
+  page["script_policy"] = policy;
+  page["css"] = std::string(page_css).append(css);
+  page["body"] = body;
+  page["scripts"] = elements;
+  return fill_in(shell_mustache, page);
 }
 
-std::string page_script_policy(const Document& document) {
-  std::vector<std::string_view> hashes;
-  for (const Script& script : scripts_of(document)) hashes.push_back(script.sha256);
-  return script_policy(hashes);
+std::string data_element(const std::string& id, const std::string& json) {
+  return fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id,
+                     escape_json_for_html(json));
+}
+
+std::vector<PageScript> page_scripts(const std::vector<PageSection>& sections) {
+  std::vector<PageScript> scripts{
+      {chart_min_js, chart_min_js_sha256}, {report_js, report_js_sha256},
+      {clock_js, clock_js_sha256},         {player_js, player_js_sha256},
+      {charts_js, charts_js_sha256},       {downloads_js, downloads_js_sha256},
+      {tables_js, tables_js_sha256},       {verdict_filter_js, verdict_filter_js_sha256}};
+  for (const PageSection& section : sections)
+    if (section.data) scripts.push_back(section.script);
+  return scripts;
+}
+
+std::string page_data(const Document& document, const std::vector<PageSection>& sections) {
+  const Document own{{"figures", figures_of(document)},
+                     {"frame_rate", document.at("animation").at("player_frame_rate")},
+                     {"end_time", document.at("solve").at("end_time")}};
+  std::string html = data_element("page-data", own.dump(-1, ' ', false, Document::error_handler_t::replace));
+  for (const PageSection& section : sections)
+    if (section.data) html += data_element(section.data_id, section.data(document.at(section.key)));
+  return html;
 }
 
 }  // namespace plumb

@@ -10,6 +10,8 @@
 
 namespace plumb {
 
+extern const std::string_view case_source_mustache, provenance_mustache;
+
 using kainjow::mustache::data;
 
 std::string fill_in(std::string_view text, const data& values) {
@@ -34,18 +36,38 @@ data pair_rows(const std::vector<std::pair<std::string, std::string>>& items) {
   return rows;
 }
 
+data picture_values(const Picture& picture, const std::string& more) {
+  data values;
+  values["title"] = picture.title;
+  values["caption"] = picture.title + "." + more;
+  values["alt"] = picture.alt;
+  values["tall"] = picture.tall;
+  values["file"] = picture.file;
+  values["uri"] = data_uri(picture.png);
+  return values;
+}
+
+data picture_rows(const std::vector<Picture>& pictures) {
+  data rows{data::type::list};
+  for (const Picture& picture : pictures) rows.push_back(picture_values(picture));
+  return rows;
+}
+
 void set_case_and_provenance(data& page, const CaseSource& source, const Provenance& provenance,
-                             const Stages& stages) {
-  page["case_name"] = source.file.name;
-  page["case_text"] = source.file.text;
-  data overrides{data::type::list};
+                             const Stages& stages, bool open) {
+  data the_case, overrides{data::type::list}, made_with;
+  the_case["case_name"] = source.file.name;
+  the_case["case_text"] = source.file.text;
+  the_case["open"] = open;
   for (const std::string& text : source.overrides) overrides.push_back(data{"override", text});
-  page["has_overrides"] = !source.overrides.empty();
-  page.set("overrides", overrides);
-  page["provenance"] = pair_rows(provenance);
+  the_case["has_overrides"] = !source.overrides.empty();
+  the_case.set("overrides", overrides);
+  page["case_source"] = fill_in(case_source_mustache, the_case);
   std::vector<std::pair<std::string, std::string>> times;
   for (const auto& [name, seconds] : stages.all()) times.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  page["stages"] = pair_rows(times);
+  made_with["provenance"] = pair_rows(provenance);
+  made_with["stages"] = pair_rows(times);
+  page["provenance"] = fill_in(provenance_mustache, made_with);
 }
 
 void set_case_and_provenance(data& page, const nlohmann::ordered_json& document) {
@@ -58,7 +80,7 @@ void set_case_and_provenance(data& page, const nlohmann::ordered_json& document)
     provenance.emplace_back(name, value.get<std::string>());
   Stages stages;
   for (const auto& [name, seconds] : document.at("seconds").items()) stages.add(name, seconds.get<double>());
-  set_case_and_provenance(page, source, provenance, stages);
+  set_case_and_provenance(page, source, provenance, stages, true);
 }
 
 }  // namespace plumb

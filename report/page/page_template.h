@@ -10,6 +10,7 @@
 #include "engine/case/case_source.h"
 #include "engine/run/provenance.h"
 #include "report/base/stages.h"
+#include "report/figure/pictures.h"
 
 /// What the pages are made with.
 namespace plumb {
@@ -23,10 +24,16 @@ std::string data_uri(const std::string& png);
 /// Rows of {{name}} and {{value}}.
 kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::string>>& items);
 
-/// Sets what the end of every report shows: the case's text and overrides, the provenance, and where the time
-/// went.
+/// {{uri}}, {{alt}}, {{title}}, {{file}} and {{tall}} of a picture; {{caption}} is its title as a sentence,
+/// and `more`.
+kainjow::mustache::data picture_values(const Picture& picture, const std::string& more = "");
+/// Rows of them.
+kainjow::mustache::data picture_rows(const std::vector<Picture>& pictures);
+
+/// Sets {{{case_source}}}, the case's overrides and its text, which is seen at once where `open`, and
+/// {{{provenance}}}, with where the time went.
 void set_case_and_provenance(kainjow::mustache::data& page, const CaseSource& source,
-                             const Provenance& provenance, const Stages& stages);
+                             const Provenance& provenance, const Stages& stages, bool open);
 
 /// The same from the document of a report.
 void set_case_and_provenance(kainjow::mustache::data& page, const nlohmann::ordered_json& document);

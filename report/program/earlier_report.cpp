@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "engine/base/errors.h"
-#include "report/document/changes.h"
+#include "report/diff/picture_moves.h"
 #include "report/document/regression.h"
 
 namespace plumb {

@@ -14,14 +14,14 @@ ExitStatus report_on(const EconomyStudy& study, OutputFolder& folder, Stages& st
                      Talk& talk) {
   folder.write(study_json_name, encode_economy_study(study));
   stages.begin("figures");
-  const std::vector<Picture> pictures = draw_economy(study, folder);
+  const std::vector<Picture> pictures =
+      draw_figures(economy_study_figures(study), study.loaded.spec.title, folder);
   stages.end();
-  const EconomyResults results = evaluate_economy(study, stages);
+  const StudyReport report = evaluate_economy(study, stages);
   stages.begin("report");
-  const StudyReport report = study_report(results, to_economy_page(results, pictures));
-  put_in_place(report, folder, stages);
+  put_in_place(report, shown_economy(study, pictures), folder, stages);
   for (const std::string& line : need_lines(study)) talk.line(line);
-  say_verdicts(results.verdicts, talk);
+  say_verdicts(report.verdicts, talk);
   return say_end(report, folder, stages, options, talk);
 }
 

@@ -12,6 +12,7 @@
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
+#include "report/document/report_formats.h"
 #include "report/index/run_index.h"
 #include "report/program/earlier_report.h"
 #include "report/program/limits.h"
@@ -51,9 +52,7 @@ ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& 
     pictures.push_back(std::move(picture));
   }
   const Document index = index_of(reports, pictures);
-  folder.write("results.json", to_json(index));
-  folder.write("junit.xml", index_junit(reports));
-  folder.write("summary.md", index_summary(index));
+  write_formats({"Plumb", index, true, index_suites(reports), index_summary(index)}, folder);
   folder.write("index.html", index_page(index, pictures));
   folder.commit();
   talk.line(index.at("headline").get<std::string>());

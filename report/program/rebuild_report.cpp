@@ -8,8 +8,10 @@
 #include "engine/base/errors.h"
 #include "engine/base/parse_json.h"
 #include "engine/run/output_folder.h"
+#include "report/document/report_formats.h"
 #include "report/page/page.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/run_sections.h"
 
 namespace plumb {
 
@@ -20,17 +22,19 @@ namespace {
 /// What is written, and what the document says of itself.
 struct Remade {
   Document document;
-  std::string page, junit, summary;
+  std::string page;
+  std::vector<std::pair<std::string, std::string>> files;  ///< the others: names and texts
   ExitStatus status;
 };
 
 Remade remake(const std::string& path, const std::string& folder) {
   try {
-    Remade made{read_document(path), {}, {}, {}, ExitStatus::done};
+    Remade made{read_document(path), {}, {}, ExitStatus::done};
     check_claims(made.document, path);
-    made.page = to_page(made.document, pictures_of(made.document, folder));
-    made.junit = to_junit(made.document);
-    made.summary = to_summary(made.document);
+    made.page = to_page(made.document, pictures_of(made.document, folder), page_sections());
+    const ReportContent content = content_of(made.document);
+    for (const ReportFormat& format : report_formats().subspan(1))
+      made.files.emplace_back(format.file, format.text(content));
     made.status = status_of(made.document);
     return made;
   } catch (...) {
@@ -55,8 +59,7 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
                                         .adds = true,
                                         .beside_others = true,
                                         .remark = [&talk](const std::string& text) { talk.remark(text); }});
-  output.write("junit.xml", made.junit);
-  output.write("summary.md", made.summary);
+  for (const auto& [file, text] : made.files) output.write(file, text);
   output.write("index.html", made.page);
   output.commit();
   say_report(made.document, folder.string(), options, talk);

@@ -5,6 +5,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
+#include "report/document/report_formats.h"
 #include "report/figure/scene_of_run.h"
 #include "report/program/drawing_options.h"
 #include "report/program/limits.h"
@@ -69,9 +70,8 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   }
   note_renderer(run, try_drawing());
   write_run(run, folder);
-  for (const char* report_file : {"index.html", "results.json", "junit.xml", "summary.md", "study.h5",
-                                  "assessment.json", "choice.json"})
-    folder.keep(report_file);
+  for (const ReportFormat& format : report_formats()) folder.keep(std::string(format.file));
+  for (const char* beside : {"index.html", "study.h5", "assessment.json", "choice.json"}) folder.keep(beside);
   const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, talk);
   if (video) {
     stages.begin("video");

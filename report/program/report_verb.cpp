@@ -1,12 +1,11 @@
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
-#include "report/program/assessment_pipeline.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
 #include "report/program/rebuild_report.h"
 #include "report/program/run_pipeline.h"
-#include "report/program/scene_choice.h"
+#include "report/program/run_sections.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/program/work_precision_pipeline.h"
@@ -38,13 +37,8 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
   note_renderer(run, try_drawing());
   write_run(run, folder);
-  const std::optional<Study> study = study_beside(options.input);
-  if (study) write_study(*study, folder);
-  const Assessment assessment = assessment_beside(options.input, run);
-  write_assessment(assessment, folder);
-  const std::optional<Economy> economy = choice_beside(options.input, run, folder);
-  return draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr, &assessment,
-                         economy ? &*economy : nullptr);
+  const std::vector<RunSection> sections = sections_beside(options.input, run, folder);
+  return draw_and_report(run, sections, folder, stages, options, talk);
 }
 
 }  // namespace plumb

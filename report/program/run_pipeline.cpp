@@ -10,15 +10,11 @@
 #include "engine/integrate/integrate.h"
 #include "engine/run/given_probes.h"
 #include "engine/run/run_file.h"
-#include "render/gl/gl_context.h"
 #include "report/document/given_json.h"
-#include "report/page/report_files.h"
+#include "report/page/page.h"
 #include "report/program/earlier_report.h"
 #include "report/program/output_use.h"
-#include "report/study/economy/economy_figure.h"
-#include "report/study/uncertainty/budget_pictures.h"
-#include "report/study/uncertainty/budget_section.h"
-#include "report/study/work_precision/study_pictures.h"
+#include "report/program/run_sections.h"
 
 namespace plumb {
 
@@ -36,7 +32,8 @@ void say_report(const Document& document, const std::string& folder, const Optio
   for (const Document& note : document.at("animation").value("notes", Document::array()))
     talk.line("animation: " + note.get<std::string>());
   talk.line(document.at("headline").get<std::string>());
-  if (document.contains("error_budget")) talk.line(budget_in_words(document.at("error_budget")));
+  for (const PageSection& section : page_sections())
+    if (section.line && document.contains(section.key)) talk.line(section.line(document.at(section.key)));
   talk.line("report: " + folder + "/index.html");
   if (options.json) write_to_standard_output(to_json(document));
 }
@@ -158,37 +155,29 @@ void say_stages(const Stages& stages, Talk& talk) {
 namespace {
 
 /// All pictures of a report.
-Pictures draw_all(const Run& run, OutputFolder& folder, Stages& stages, Talk& talk, const Study* study,
-                  const Assessment* assessment, const Economy* economy) {
+Pictures draw_all(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
+                  Stages& stages, Talk& talk) {
   Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
-  if (study) {
-    stages.begin("study figures");
-    pictures.study = draw_study(study->result, folder);
+  for (const RunSection& section : sections) {
+    if (!section.figures) continue;
+    if (!section.drawing_stage.empty()) stages.begin(section.drawing_stage);
+    std::vector<Picture>& drawn =
+        section.figures_key == figures_key ? pictures.figures : pictures.sections[section.figures_key];
+    for (Picture& picture : draw_figures(section.figures(), run.loaded.spec.title, folder))
+      drawn.push_back(std::move(picture));
     stages.end();
-  }
-  if (assessment && assessment->error_budget && assessment->error_budget->left_out.empty()) {
-    stages.begin("budget figure");
-    pictures.budget = draw_budget(*assessment->error_budget, folder);
-    stages.end();
-  }
-  if (economy) {
-    const GlContext context;
-    for (Picture& picture : draw_figures({economy_figure(*economy)}, context,
-                                         picture_texts(context, run.loaded.spec.title), folder))
-      pictures.figures.push_back(std::move(picture));
   }
   return pictures;
 }
 
 }  // namespace
 
-ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study, const Assessment* assessment,
-                           const Economy* economy) {
+ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
+                           Stages& stages, const Options& options, Talk& talk) {
   Pictures pictures;
   std::string failure;
   try {
-    pictures = draw_all(run, folder, stages, talk, study, assessment, economy);
+    pictures = draw_all(run, sections, folder, stages, talk);
   } catch (const WriteError&) {
     throw;
   } catch (const OutputError& error) {
@@ -198,10 +187,10 @@ ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages,
     failure = error.what();
     pictures.animation_notes = {"the pictures could not be drawn: " + failure};
   }
-  Document document = document_of(evaluate(run, stages, study, assessment, economy), pictures);
+  Document document = document_of(evaluate(run, stages, sections), pictures);
   hold_against_earlier(document, pictures, options, folder.path());
   stages.begin("report");
-  write_report(document, pictures, folder);
+  write_report(document, pictures, page_sections(), folder);
   folder.commit();
   stages.end();
   if (!failure.empty())

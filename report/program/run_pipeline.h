@@ -55,9 +55,8 @@ Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optio
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 /// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.
-ExitStatus draw_and_report(const Run& run, OutputFolder& folder, Stages& stages, const Options& options,
-                           Talk& talk, const Study* study = nullptr, const Assessment* assessment = nullptr,
-                           const Economy* economy = nullptr);
+ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
+                           Stages& stages, const Options& options, Talk& talk);
 
 /// `plumb run` of one case.
 ExitStatus run_one(const Options& options, Talk& talk);

@@ -2,17 +2,16 @@
 
 #include "report/document/case_json.h"
 #include "report/document/regression.h"
-#include "report/program/assessment_pipeline.h"
 #include "report/program/earlier_report.h"
 #include "report/program/kept_points.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/run_sections.h"
 #include "report/program/scene_choice.h"
 #include "report/program/verbs.h"
-#include "report/program/work_precision_pipeline.h"
-#include "report/study/economy/economy_text.h"
+#include "report/study/economy/economy_section.h"
 
 namespace plumb {
 
@@ -55,18 +54,10 @@ ExitStatus run_one(const Options& options, Talk& talk) {
   if (economy) run.provenance.emplace_back(left_to_scene, "as choice.json says");
   write_run(run, folder);
   KeptPoints points(folder.path(), loaded.source, talk);
-  std::optional<Study> study;
-  // A rigid rod has no methods and meshes to compare.
-  if (loaded.spec.work_precision && loaded.spec.cable.model != CableModel::rigid) {
-    stages.begin("study");
-    study = quick_study(loaded, points.journal(), talk);
-    write_study(*study, folder);
-  }
-  const Assessment assessment = assess(run, points.journal(), stages, talk);
-  write_assessment(assessment, folder);
+  const std::vector<RunSection> sections =
+      computed_sections(run, economy, points.journal(), folder, stages, talk);
   points.write(folder);
-  const ExitStatus status = draw_and_report(run, folder, stages, options, talk, study ? &*study : nullptr,
-                                            &assessment, economy ? &*economy : nullptr);
+  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, talk);
   points.remove();
   return status;
 }

@@ -5,7 +5,6 @@
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/study/stability/stability_figures.h"
-#include "report/study/stability/stability_page.h"
 #include "report/study/stability/stability_results.h"
 
 namespace plumb {
@@ -22,13 +21,15 @@ ExitStatus report_on(const StabilityStudyFile& study, OutputFolder& folder, Stag
                      const Options& options, Talk& talk) {
   folder.write(study_json_name, encode_stability(study));
   stages.begin("figures");
-  const std::vector<Picture> pictures = draw_stability(study.result, folder);
+  draw_figures(method_figures(study.result), study.result.title, folder);
+  const std::vector<Picture> pictures =
+      draw_figures(stability_figures(study.result), study.result.title, folder);
+  stages.end();
+  const StudyReport report = evaluate_stability(study, stages);
   stages.begin("report");
-  const StabilityResults results = evaluate_stability(study, stages);
-  const StudyReport report = study_report(results, to_stability_page(results, pictures));
-  put_in_place(report, folder, stages);
+  put_in_place(report, shown_stability(study.result, pictures), folder, stages);
   say_words(study.result, talk);
-  say_verdicts(results.verdicts, talk);
+  say_verdicts(report.verdicts, talk);
   return say_end(report, folder, stages, options, talk);
 }
 

@@ -5,11 +5,10 @@
 
 namespace plumb {
 
-void put_in_place(const StudyReport& report, OutputFolder& folder, Stages& stages) {
-  folder.write("index.html", report.page);
-  folder.write("results.json", report.json);
-  folder.write("junit.xml", report.junit);
-  folder.write("summary.md", report.summary);
+void put_in_place(const StudyReport& report, const StudySection& section, OutputFolder& folder,
+                  Stages& stages) {
+  folder.write("index.html", to_page(report, section));
+  write_formats(content_of(report), folder);
   folder.commit();
   stages.end();
 }
@@ -19,7 +18,8 @@ ExitStatus say_end(const StudyReport& report, const OutputFolder& folder, const 
   talk.line(report.headline);
   say_stages(stages, talk);
   talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(report.json);
+  if (options.json) write_to_standard_output(to_json(content_of(report).document, false));
+  if (!report.complete) return ExitStatus::solver_failed;
   return all_passed(report.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
 }
 

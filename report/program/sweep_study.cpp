@@ -3,7 +3,7 @@
 #include "report/program/run_pipeline.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
-#include "report/study/sweep/sweep_report.h"
+#include "report/study/sweep/sweep_results.h"
 
 namespace plumb {
 namespace {
@@ -13,17 +13,17 @@ ExitStatus report_on(const Sweep& sweep, OutputFolder& folder, Stages& stages, c
                      Talk& talk) {
   folder.write(study_json_name, encode_sweep(sweep));
   stages.begin("figures");
-  const std::vector<Picture> pictures = draw_sweep(sweep, folder);
-  const SweepResults results = evaluate_sweep(sweep, stages);
+  const std::vector<Picture> pictures = draw_figures(sweep_figures(sweep), sweep.loaded.spec.title, folder);
+  stages.end();
+  const StudyReport report = evaluate_sweep(sweep, stages);
   stages.begin("report");
-  const StudyReport report = study_report(results, to_sweep_page(results, pictures));
-  put_in_place(report, folder, stages);
+  put_in_place(report, shown_sweep(sweep, pictures), folder, stages);
   for (const std::string& line : outcome_lines(sweep)) talk.line(line);
   for (const SweepRun& run : sweep.runs)
     if (const std::string trouble = trouble_of(run, sweep.spec.tolerance); !trouble.empty())
       talk.line(talk.bad("case " + std::to_string(run.number)) + ": " + trouble + ": " +
                 command_of(sweep, run));
-  say_verdicts(results.verdicts, talk);
+  say_verdicts(report.verdicts, talk);
   return say_end(report, folder, stages, options, talk);
 }
 

@@ -4,18 +4,17 @@
 
 #include "engine/base/errors.h"
 #include "engine/study/variants/variants_file.h"
-#include "render/gl/gl_context.h"
 #include "report/program/run_pipeline.h"
 #include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/study/variants/variants_figures.h"
-#include "report/study/variants/variants_page.h"
+#include "report/study/variants/variants_results.h"
 
 namespace plumb {
 namespace {
 
-void say_variants(const VariantsResults& results, Talk& talk) {
-  for (const VariantResult& variant : results.study.result.variants) {
+void say_variants(const Variants& study, Talk& talk) {
+  for (const VariantResult& variant : study.variants) {
     const bool expects = variant.spec.expects_anything();
     const std::string status = fmt::format("{:<7}", !expects ? "shown" : variant.met() ? "passed" : "failed");
     talk.line(fmt::format("  {} {}: {}",
@@ -33,15 +32,13 @@ ExitStatus report_variants(const VariantsStudy& study, OutputFolder& folder, Sta
                            const Options& options, Talk& talk) {
   folder.write(study_json_name, encode_variants(study));
   stages.begin("figures");
-  const GlContext context;
-  const std::vector<Picture> pictures = draw_figures(variants_figures(study.result), context,
-                                                     picture_texts(context, study.result.title), folder);
+  const std::vector<Picture> pictures =
+      draw_figures(variants_figures(study.result), study.result.title, folder);
   stages.end();
-  const VariantsResults results = evaluate_variants(study, stages);
+  const StudyReport report = evaluate_variants(study, stages);
   stages.begin("report");
-  const StudyReport report = study_report(results, to_variants_page(results, pictures));
-  put_in_place(report, folder, stages);
-  say_variants(results, talk);
+  put_in_place(report, shown_variants(study.result, pictures), folder, stages);
+  say_variants(study.result, talk);
   return say_end(report, folder, stages, options, talk);
 }
 

@@ -8,7 +8,7 @@
 #include "engine/study/work_precision/cheapest.h"
 #include "engine/study/work_precision/run_work_precision.h"
 #include "report/program/study_end.h"
-#include "report/study/work_precision/study_pictures.h"
+#include "report/study/work_precision/work_precision_figures.h"
 #include "report/study/work_precision/work_precision_page.h"
 
 namespace plumb {
@@ -119,11 +119,11 @@ ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages
                         Talk& talk) {
   write_study(study, folder);
   stages.begin("figures");
-  const std::vector<Picture> pictures = draw_study(study.result, folder);
-  const StudyResults results = evaluate_study(study, stages);
+  const std::vector<Picture> pictures = draw_figures(study_figures(study.result), study.result.title, folder);
+  stages.end();
+  const StudyReport report = evaluate_study(study, stages);
   stages.begin("report");
-  const StudyReport report = study_report(results, to_study_page(results, pictures));
-  put_in_place(report, folder, stages);
+  put_in_place(report, shown_work_precision(study.result, pictures), folder, stages);
   say_orders(study.result, talk);
   say_front(study.result, talk);
   say_cheapest(fmt::format("Cheapest time integration of {}",
@@ -131,9 +131,8 @@ ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages
                study.result.time_cheapest, talk);
   say_cheapest("Cheapest method and mesh against the converged solution", study.result.total_cheapest, talk);
   say_references(study.result, talk);
-  say_verdicts(results.verdicts, talk);
-  const ExitStatus status = say_end(report, folder, stages, options, talk);
-  return results.any_completed() ? status : ExitStatus::solver_failed;
+  say_verdicts(report.verdicts, talk);
+  return say_end(report, folder, stages, options, talk);
 }
 
 }  // namespace plumb

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 
-#include "report/study/economy/economy_text.h"
-#include "report/verdict/verdict_uncertainty.h"
-
 namespace plumb {
 
 std::string counted(long n, const std::string& one, const std::string& many) {
@@ -67,13 +64,6 @@ std::string run_in_words(const Case& spec) {
                                  : "the run with " + counted(spec.cable.elements, "element", "elements");
 }
 
-/// Whether the run holds for its scene, where it was left to that.
-std::string scene_in_words(const Results& results) {
-  if (!results.economy) return "";
-  const Verdict verdict = economy_verdict(*results.economy);
-  return fmt::format(" Picture error: {}, {}.", word(verdict.status), verdict.message);
-}
-
 /// What became of the given runs beside the one that is reported, a sentence each.
 std::string given_in_words(const Results& results) {
   const Case& spec = results.run.loaded.spec;
@@ -110,24 +100,22 @@ std::string outcome_in_words(const Results& results) {
 
 }  // namespace
 
-Results evaluate(const Run& run, const Stages& stages, const Study* study, const Assessment* assessment,
-                 const Economy* economy) {
-  Results results{run, series_errors(run), {}, stages, study};
+Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSection>& sections) {
+  Results results{run, series_errors(run), {}, stages};
   results.verdicts = verdicts(run, results.errors);
-  results.assessment = assessment;
-  results.economy = economy;
-  if (assessment && assessment->uncertainty)
-    add_uncertainty(results.verdicts, results.errors, run.loaded.spec, *assessment->uncertainty);
   results.distances = given_distances(run);
   for (Verdict& verdict : distance_verdicts(run, results.distances))
     results.verdicts.push_back(std::move(verdict));
-  const auto left = [](const auto& entry) { return entry.first == left_to_scene; };
-  if (economy)
-    results.verdicts.push_back(economy_verdict(*economy));
-  else if (std::any_of(run.provenance.begin(), run.provenance.end(), left))
-    results.verdicts.push_back(verdict_without_choice(run.loaded.spec.scene.tolerance));
+  results.sections = sections;
+  for (const RunSection& section : sections)
+    if (section.judge) section.judge(results.verdicts, results.errors);
   results.outcome = judged_outcome(results);
   return results;
+}
+
+std::string met_in_words(const std::vector<Verdict>& verdicts) {
+  return fmt::format("{} of {} met.", count_of(verdicts, VerdictStatus::passed),
+                     counted(std::ssize(verdicts), "criterion", "criteria"));
 }
 
 std::string outcome_reason(const Results& results) {
@@ -184,7 +172,9 @@ std::string headline(const Results& results) {
         worst->times.size(), run.loaded.references[r].times.size());
   }
   if (!distances.empty()) text += fmt::format(": {} is at most{}", run_in_words(run.loaded.spec), distances);
-  return text + "." + given_in_words(results) + scene_in_words(results);
+  text += "." + given_in_words(results);
+  for (const RunSection& section : results.sections) text += section.sentence;
+  return text;
 }
 
 }  // namespace plumb

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "engine/run/run.h"
-#include "engine/study/economy/economy.h"
-#include "engine/study/uncertainty/assessment.h"
-#include "engine/study/work_precision/work_precision_file.h"
 #include "report/base/stages.h"
 #include "report/verdict/given_distance.h"
+#include "report/verdict/run_section.h"
 #include "report/verdict/series_error.h"
 #include "report/verdict/verdict.h"
 
@@ -21,29 +19,27 @@ inline constexpr int results_version = 2;
 struct Results {
   const Run& run;
   std::vector<SeriesError> errors;
-  /// One for each of `errors`, then those of `distances`, then that of the economy.
+  /// One for each of `errors`, then those of `distances`, then those of `sections`.
   std::vector<Verdict> verdicts;
-  Stages stages;                 ///< those before the report itself
-  const Study* study = nullptr;  ///< the quick work-precision study made with the run, if any
+  Stages stages;  ///< those before the report itself
   /// `accurate` where the run completed, was held against a reference, and every verdict of it and of the
   /// given runs beside it passed; `inaccurate` where it completed and one of its own failed; else how the
   /// integration itself ended.
   Outcome outcome = Outcome::not_run;
-  const Assessment* assessment = nullptr;  ///< what was computed of its uncertainty, if anything
-  const Economy* economy = nullptr;        ///< what the scene needs, where the run was left to it
-
   std::vector<GivenDistance> distances = {};  ///< of given runs to the one that is reported
+  std::vector<RunSection> sections = {};      ///< what else was computed of it, in the order of results.json
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }
 };
 
-/// Compares a run with its references. Where there is an assessment, the verdicts say the comparison error
-/// and its validation uncertainty; where the run was left to its scene, one says whether that holds.
-Results evaluate(const Run& run, const Stages& stages, const Study* study = nullptr,
-                 const Assessment* assessment = nullptr, const Economy* economy = nullptr);
+/// Compares a run with its references; `sections` add to the verdicts what they have to say.
+Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSection>& sections = {});
 
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
+
+/// "3 of 4 criteria met."
+std::string met_in_words(const std::vector<Verdict>& verdicts);
 
 /// "cut 12 times, to 3e-05 s at the shortest", where steps were tried and repeated shorter so many times;
 /// empty for none. A shortest step of -1 is not known.

@@ -1,4 +1,6 @@
 #include "report/document/document.h"
+#include "report/study/uncertainty/budget_section.h"
+#include "report/study/uncertainty/uncertainty_section.h"
 #include "tests/fuzz/target.h"
 #include "tests/report/made_run.h"
 #include "tests/report/study/uncertainty/made_assessment.h"
@@ -39,7 +41,10 @@ bool feed(std::string_view input) {
     const std::string written = encode_assessment(read);
     promise(encode_assessment(decode_assessment(written, "assessment.json", made_run())) == written,
             "an assessment that is written and read again is another");
-    document_of(evaluate(made_run(), {}, nullptr, &read), {});
+    std::vector<RunSection> sections;
+    if (read.uncertainty) sections.push_back(uncertainty_section(*read.uncertainty, made_run().loaded.spec));
+    if (read.error_budget) sections.push_back(budget_section(*read.error_budget));
+    document_of(evaluate(made_run(), {}, sections), {});
   });
 }
 

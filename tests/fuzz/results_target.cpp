@@ -2,6 +2,7 @@
 #include "report/document/document.h"
 #include "report/document/regression.h"
 #include "report/page/page.h"
+#include "report/program/run_sections.h"
 #include "tests/fuzz/target.h"
 #include "tests/report/made_run.h"
 
@@ -27,7 +28,8 @@ bool feed(std::string_view input) {
     } catch (const InputError&) {
       // That of another case.
     }
-    const std::string page = to_page(document, pictures_of(document, "/dev/shm/plumb-fuzz-nothing"));
+    const std::string page =
+        to_page(document, pictures_of(document, "/dev/shm/plumb-fuzz-nothing"), page_sections());
     promise(page.find("<html") != std::string::npos, "a page that is none");
     to_junit(document);
     promise(to_summary(document).size() < 64 * 1024, "a summary of 64 KiB or more");

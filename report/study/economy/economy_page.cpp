@@ -3,9 +3,7 @@
 #include <cmath>
 
 #include "engine/study/economy/candidates.h"
-#include "render/gl/gl_context.h"
 #include "report/page/page_template.h"
-#include "report/page/study_page.h"
 #include "report/study/economy/economy_figure.h"
 #include "report/study/economy/economy_results.h"
 #include "report/study/economy/economy_text.h"
@@ -13,7 +11,6 @@
 namespace plumb {
 
 extern const std::string_view economy_study_mustache;
-extern const std::string_view study_css;
 
 namespace {
 
@@ -123,7 +120,7 @@ Figure scenes_figure(const EconomyStudy& study) {
 
 }  // namespace
 
-std::vector<Picture> draw_economy(const EconomyStudy& study, OutputFolder& folder) {
+std::vector<Figure> economy_study_figures(const EconomyStudy& study) {
   std::vector<Figure> figures;
   for (const SceneNeed& need : study.needs) {
     Figure figure = economy_figure(need.economy);
@@ -132,12 +129,10 @@ std::vector<Picture> draw_economy(const EconomyStudy& study, OutputFolder& folde
     figures.push_back(std::move(figure));
   }
   if (!study.scenes.empty()) figures.push_back(scenes_figure(study));
-  const GlContext context;
-  return draw_figures(figures, context, picture_texts(context, study.loaded.spec.title), folder);
+  return figures;
 }
 
-std::string to_economy_page(const EconomyResults& results, const std::vector<Picture>& pictures) {
-  const EconomyStudy& study = results.study;
+StudySection shown_economy(const EconomyStudy& study, const std::vector<Picture>& pictures) {
   data section;
   section["reference"] = study.reference;
   section["safe"] = fmt::format("{:.3g}", study.safe_seconds);
@@ -146,16 +141,7 @@ std::string to_economy_page(const EconomyResults& results, const std::vector<Pic
   section["safety"] = fmt::format("{:g}", economy_safety);
   section["needs"] = need_rows(study);
   section["explained"] = explained(study);
-  data drawn{data::type::list};
-  for (const Picture& picture : pictures) {
-    data row;
-    row["uri"] = data_uri(picture.png);
-    row["alt"] = picture.alt;
-    row["title"] = picture.title;
-    row["file"] = picture.file;
-    drawn.push_back(row);
-  }
-  section.set("figures", drawn);
+  section.set("figures", picture_rows(pictures));
   section["has_scenes"] = !study.scenes.empty();
   section["scenes"] = std::to_string(study.scenes.size());
   section["seed"] = std::to_string(study.spec.seed);
@@ -166,20 +152,14 @@ std::string to_economy_page(const EconomyResults& results, const std::vector<Pic
   section["has_unproven"] = unproven > 0;
   section["unproven_count"] = std::to_string(unproven);
 
-  StudyShell shell;
-  shell.title = study.loaded.spec.title;
-  shell.subject = "what scenes need";
-  shell.headline = headline(results);
-  shell.good = all_passed(results.verdicts);
-  shell.sections = {{"needs", "What each picture needs"}};
-  if (!study.scenes.empty()) shell.sections.emplace_back("scenes", "Random scenes");
-  shell.section = fill_in(economy_study_mustache, section);
-  shell.css = std::string(study_css);
-  shell.verdict_note =
+  StudySection shown;
+  shown.links = {{"needs", "What each picture needs"}};
+  if (!study.scenes.empty()) shown.links.emplace_back("scenes", "Random scenes");
+  shown.html = fill_in(economy_study_mustache, section);
+  shown.verdict_note =
       "<strong>Verification</strong> holds a choice against a reference, <strong>performance</strong> its "
-      "cost "
-      "against that of the safe default.";
-  return study_shell(shell, results.verdicts, study.loaded.source, study.provenance, results.stages);
+      "cost against that of the safe default.";
+  return shown;
 }
 
 }  // namespace plumb

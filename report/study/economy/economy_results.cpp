@@ -4,21 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "engine/study/economy/candidates.h"
 #include "engine/study/economy/economy_json.h"
 #include "engine/study/economy/economy_study_json.h"
 #include "report/base/escape.h"
-#include "report/document/case_json.h"
-#include "report/document/junit_suites.h"
 #include "report/study/economy/economy_text.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int narrow = 320;         // pixels, where the scene must cost
 constexpr double least_ratio = 20;  // times less than the safe default
@@ -106,18 +101,10 @@ double met_share(const Counts& counts) {
   return counts.hold > 0 ? 1 - static_cast<double>(counts.missed) / static_cast<double>(counts.hold) : 0;
 }
 
-}  // namespace
-
-double cost_ratio(const EconomyStudy& study, const SceneNeed& need) {
-  if (!(need.seconds > 0) || !(study.safe_seconds > 0)) return -1;
-  if (!std::isfinite(need.seconds) || !std::isfinite(study.safe_seconds)) return -1;
-  return study.safe_seconds / need.seconds;
-}
-
-EconomyResults evaluate_economy(const EconomyStudy& study, const Stages& stages) {
-  EconomyResults results{study, {}, stages};
-  for (const SceneNeed& need : study.needs) judge_need(study, need, results.verdicts);
-  if (study.scenes.empty()) return results;
+std::vector<Verdict> verdicts_of(const EconomyStudy& study) {
+  std::vector<Verdict> verdicts;
+  for (const SceneNeed& need : study.needs) judge_need(study, need, verdicts);
+  if (study.scenes.empty()) return verdicts;
   const Counts counts = counts_of(study);
   const double share = met_share(counts);
   Verdict scenes =
@@ -132,25 +119,36 @@ EconomyResults evaluate_economy(const EconomyStudy& study, const Stages& stages)
     scenes.value = -1;
     scenes.detail = scenes.message = "in none of the scenes a rung is said to hold";
   }
-  results.verdicts.push_back(std::move(scenes));
-  return results;
+  verdicts.push_back(std::move(scenes));
+  return verdicts;
 }
 
-std::string headline(const EconomyResults& results) {
-  const EconomyStudy& study = results.study;
-  const auto met =
-      std::count_if(results.verdicts.begin(), results.verdicts.end(),
-                    [](const Verdict& verdict) { return verdict.status == VerdictStatus::passed; });
-  std::string text;
-  if (const SceneNeed* own = own_picture(study)) text = economy_sentence(own->economy, own->scene) + " ";
-  if (!study.scenes.empty()) {
-    const Counts counts = counts_of(study);
-    text += fmt::format("Of {}, {} met the tolerance that the choice was said to meet, {} did not. ",
-                        counted(std::ssize(study.scenes), "random scene", "random scenes"),
-                        counts.hold - counts.missed, counts.missed);
+Document study_document(const EconomyStudy& study) {
+  Document economy{{"reference", study.reference},
+                   {"safe_seconds", study.safe_seconds},
+                   {"safe_end", study.safe_end},
+                   {"pictures", Document::array()},
+                   {"random_scenes", Document::array()}};
+  for (const SceneNeed& need : study.needs) {
+    Document item{{"name", need.name},
+                  {"in_words", economy_sentence(need.economy, need.scene)},
+                  {"seconds", need.seconds},
+                  {"cost_ratio", cost_ratio(study, need)},
+                  {"reference_doubt", need.reference_doubt},
+                  {"certified", need.certified}};
+    item.update(economy_json(need.economy));
+    economy["pictures"].push_back(std::move(item));
   }
-  return text +
-         fmt::format("{} of {} met.", met, counted(std::ssize(results.verdicts), "criterion", "criteria"));
+  for (const RandomScene& scene : study.scenes) economy["random_scenes"].push_back(random_scene_json(scene));
+  return economy;
+}
+
+}  // namespace
+
+double cost_ratio(const EconomyStudy& study, const SceneNeed& need) {
+  if (!(need.seconds > 0) || !(study.safe_seconds > 0)) return -1;
+  if (!std::isfinite(need.seconds) || !std::isfinite(study.safe_seconds)) return -1;
+  return study.safe_seconds / need.seconds;
 }
 
 std::string command_of(const EconomyStudy& study, const RandomScene& scene) {
@@ -180,53 +178,22 @@ std::vector<std::string> need_lines(const EconomyStudy& study) {
   return lines;
 }
 
-std::string to_json(const EconomyResults& results) {
-  const EconomyStudy& study = results.study;
-  Json json;
-  json["schema_version"] = results_version;
-  json["title"] = study.loaded.spec.title;
-  json["headline"] = headline(results);
-  json["all_criteria_met"] = all_passed(results.verdicts);
-  json["verdicts"] = Json::array();
-  for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));
-  Json& economy = json["economy"];
-  economy["reference"] = study.reference;
-  economy["safe_seconds"] = study.safe_seconds;
-  economy["safe_end"] = study.safe_end;
-  economy["pictures"] = Json::array();
-  for (const SceneNeed& need : study.needs) {
-    Json item{{"name", need.name},
-              {"in_words", economy_sentence(need.economy, need.scene)},
-              {"seconds", need.seconds},
-              {"cost_ratio", cost_ratio(study, need)},
-              {"reference_doubt", need.reference_doubt},
-              {"certified", need.certified}};
-    item.update(economy_json(need.economy));
-    economy["pictures"].push_back(std::move(item));
+StudyReport evaluate_economy(const EconomyStudy& study, const Stages& stages) {
+  StudyReport report{study.loaded, "what scenes need", study.provenance, verdicts_of(study), stages};
+  if (const SceneNeed* own = own_picture(study))
+    report.headline = economy_sentence(own->economy, own->scene) + " ";
+  if (!study.scenes.empty()) {
+    const Counts counts = counts_of(study);
+    report.headline +=
+        fmt::format("Of {}, {} met the tolerance that the choice was said to meet, {} did not. ",
+                    counted(std::ssize(study.scenes), "random scene", "random scenes"),
+                    counts.hold - counts.missed, counts.missed);
   }
-  economy["random_scenes"] = Json::array();
-  for (const RandomScene& scene : study.scenes) economy["random_scenes"].push_back(random_scene_json(scene));
-  json["case"] = case_json(study.loaded);
-  for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
-  for (const auto& [name, value] : study.provenance) json["provenance"][name] = value;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string to_junit(const EconomyResults& results) {
-  return junit_xml(results.study.loaded.spec.title, suites_of(results.verdicts));
-}
-
-std::string to_summary(const EconomyResults& results) {
-  constexpr std::size_t most = 63 * 1024;
-  std::string text =
-      fmt::format("# What scenes need: {}\n\n{}\n\n", escape_markdown(results.study.loaded.spec.title),
-                  escape_markdown(headline(results)));
-  text += verdict_table(results.verdicts);
-  for (const std::string& line : need_lines(results.study)) {
-    const std::string item = "\n-" + escape_markdown(line.substr(1));
-    if (text.size() + item.size() < most) text += item;
-  }
-  return text + "\n";
+  report.headline += met_in_words(report.verdicts);
+  report.results["economy"] = study_document(study);
+  for (const std::string& line : need_lines(study)) report.after += "\n-" + escape_markdown(line.substr(1));
+  report.after += "\n";
+  return report;
 }
 
 }  // namespace plumb

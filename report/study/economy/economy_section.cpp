@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "engine/study/economy/candidates.h"
 #include "engine/study/economy/economy_json.h"
 #include "report/page/page_template.h"
+#include "report/study/economy/economy_figure.h"
 #include "report/study/economy/economy_text.h"
 
 namespace plumb {
@@ -16,6 +17,8 @@ extern const std::string_view economy_mustache;
 namespace {
 
 using kainjow::mustache::data;
+
+constexpr const char* economy_key = "economy";
 
 std::string cost(const TriedRung& tried) {
   return tried.seconds < 0 ? "not run" : fmt::format("{:.3g} ms", 1e3 * tried.seconds);
@@ -36,10 +39,8 @@ data rung_rows(const Economy& economy) {
   return rows;
 }
 
-}  // namespace
-
-nlohmann::ordered_json economy_document(const Economy& economy, const SceneSpec& scene) {
-  nlohmann::ordered_json json = economy_json(economy);
+Document economy_document(const Economy& economy, const SceneSpec& scene) {
+  Document json = economy_json(economy);
   const TriedRung* choice = economy.choice();
   json["in_words"] = economy_sentence(economy, scene);
   json["needs"] = choice ? in_words(choice->rung) : "";
@@ -48,7 +49,7 @@ nlohmann::ordered_json economy_document(const Economy& economy, const SceneSpec&
   return json;
 }
 
-std::string economy_section(const nlohmann::ordered_json& document) {
+std::string economy_html(const Document& document, const std::vector<Picture>&) {
   const Economy economy = economy_of(document);
   data section;
   section["sentence"] = document.at("in_words").get<std::string>();
@@ -62,6 +63,40 @@ std::string economy_section(const nlohmann::ordered_json& document) {
     notes.push_back(data{"note", lines[k].get<std::string>()});
   section.set("notes", notes);
   return fill_in(economy_mustache, section);
+}
+
+/// Adds a verdict at the end.
+auto adding(const Verdict& verdict) {
+  return [verdict](std::vector<Verdict>& verdicts, const std::vector<SeriesError>&) {
+    verdicts.push_back(verdict);
+  };
+}
+
+}  // namespace
+
+std::vector<RunSection> economy_sections(const Run& run, const std::optional<Economy>& economy) {
+  const SceneSpec& scene = run.loaded.spec.scene;
+  if (!economy) {
+    const auto left = [](const auto& entry) { return entry.first == left_to_scene; };
+    if (std::none_of(run.provenance.begin(), run.provenance.end(), left)) return {};
+    return {{.judge = adding(verdict_without_choice(scene.tolerance))}};
+  }
+  const Verdict verdict = economy_verdict(*economy);
+  return {{.key = economy_key,
+           .json = economy_document(*economy, scene),
+           .figures_key = figures_key,
+           .figures = [found = *economy] { return std::vector{economy_figure(found)}; },
+           .judge = adding(verdict),
+           .sentence = fmt::format(" Picture error: {}, {}.", word(verdict.status), verdict.message)}};
+}
+
+PageSection economy_on_page() {
+  return {.key = economy_key,
+          .place = PagePlace::cost,
+          .id = "economy",
+          .link = "What the scene needs",
+          .title = "What the scene needs",
+          .html = economy_html};
 }
 
 }  // namespace plumb

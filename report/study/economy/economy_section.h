@@ -1,17 +1,22 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
+#include <optional>
 
+#include "engine/run/run.h"
 #include "engine/study/economy/economy.h"
+#include "report/page/page_section.h"
 
 namespace plumb {
 
-/// What results.json says of the choice for a scene: keys as in output/README.md.
-nlohmann::ordered_json economy_document(const Economy& economy, const SceneSpec& scene);
+/// What the scene of a run needs, as a section of its report with a verdict on whether the run holds for it.
+/// Of a run that was left to its scene and whose choice is not at hand there is a verdict that is not run; of
+/// any other without a choice, no section.
+std::vector<RunSection> economy_sections(const Run& run, const std::optional<Economy>& economy);
 
-/// The section of the page that says what the scene needs, from that. Throws nlohmann's exceptions where it
-/// is not what economy_document made.
-std::string economy_section(const nlohmann::ordered_json& document);
+/// How a page shows it.
+PageSection economy_on_page();
+
+/// The name, in the provenance of a run, of that its model and method were left to its scene.
+inline constexpr const char* left_to_scene = "left to the scene";
 
 }  // namespace plumb

@@ -19,13 +19,10 @@ std::string economy_sentence(const Economy& economy, const SceneSpec& scene);
 /// what the estimates are from, and what the search cost.
 std::vector<std::string> explain(const Economy& economy);
 
-/// The name, in the provenance of a run, of that its model and method were left to its scene.
-inline constexpr const char* left_to_scene = "left to the scene";
-
-/// The same verdict of such a run whose choice is not at hand: not run. `tolerance` is in pixels.
-Verdict verdict_without_choice(double tolerance);
-
 /// Verification: the chosen rung's estimated picture error, times the safety factor, against the tolerance.
 Verdict economy_verdict(const Economy& economy);
+
+/// The same of a run whose choice is not at hand: not run. `tolerance` is in pixels.
+Verdict verdict_without_choice(double tolerance);
 
 }  // namespace plumb

@@ -361,11 +361,4 @@ std::vector<Figure> method_figures(const Stability& study) {
   return figures;
 }
 
-std::vector<Picture> draw_stability(const Stability& study, OutputFolder& folder) {
-  const GlContext context;
-  const PngTexts texts = picture_texts(context, study.title);
-  draw_figures(method_figures(study), context, texts, folder);
-  return draw_figures(stability_figures(study), context, texts, folder);
-}
-
 }  // namespace plumb

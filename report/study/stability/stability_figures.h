@@ -3,10 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/run/output_folder.h"
 #include "engine/study/stability/stability.h"
 #include "report/figure/figures.h"
-#include "report/figure/pictures.h"
 
 namespace plumb {
 
@@ -25,9 +23,5 @@ std::vector<Figure> stability_figures(const Stability& study);
 
 /// One figure a method, with its maps below each other: "stability_rk4", ….
 std::vector<Figure> method_figures(const Stability& study);
-
-/// Draws all of them into a folder: figures/*.png; returns those of stability_figures(). Throws OutputError
-/// when drawing or writing fails, Interrupted when the user stops it.
-std::vector<Picture> draw_stability(const Stability& study, OutputFolder& folder);
 
 }  // namespace plumb

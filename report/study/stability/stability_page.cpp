@@ -1,5 +1,3 @@
-#include "report/study/stability/stability_page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +8,9 @@
 #include "report/figure/curve_style.h"
 #include "report/figure/outcome_style.h"
 #include "report/page/page_template.h"
-#include "report/page/study_page.h"
 #include "report/study/stability/stability_figures.h"
 #include "report/study/stability/stability_map_data.h"
-#include "report/study/work_precision/study_chart_data.h"
+#include "report/study/stability/stability_results.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -22,7 +19,6 @@ extern const std::string_view stability_mustache;
 extern const std::string_view stability_css;
 extern const std::string_view stability_js;
 extern const std::string_view stability_js_sha256;
-extern const std::string_view study_css;
 
 namespace {
 
@@ -40,15 +36,6 @@ std::string known(double value) {
 
 std::string share(double value) {
   return std::isfinite(value) ? fmt::format("{:+.3g}", value) : number(value);
-}
-
-data picture_values(const Picture& picture) {
-  data values;
-  values["uri"] = data_uri(picture.png);
-  values["alt"] = picture.alt;
-  values["file"] = picture.file;
-  values["caption"] = picture.title + ".";
-  return values;
 }
 
 void set_picture(data& values, const std::string& key, const std::vector<Picture>& pictures,
@@ -293,7 +280,7 @@ data failure_rows(const Stability& study, long& failures) {
   return rows;
 }
 
-std::string section(const Stability& study, const std::vector<Picture>& pictures) {
+std::string section_html(const Stability& study, const std::vector<Picture>& pictures) {
   data values;
   values["summary"] = summary(study);
   values["has_parameter"] = !study.parameter.empty();
@@ -324,29 +311,22 @@ std::string section(const Stability& study, const std::vector<Picture>& pictures
 
 }  // namespace
 
-std::string to_stability_page(const StabilityResults& results, const std::vector<Picture>& pictures) {
-  const Stability& study = results.study.result;
-  StudyShell shell;
-  shell.title = study.title;
-  shell.subject = "where methods fail";
-  shell.headline = headline(results);
-  shell.good = all_passed(results.verdicts);
-  shell.sections = {{"stability-words", "Which step?"}, {"stability-maps", "Maps"}};
-  if (!study.critical_steps.empty()) shell.sections.emplace_back("stability-limits", "Critical steps");
-  if (!study.energies.empty()) shell.sections.emplace_back("stability-energy", "Energy");
-  if (!study.amplifications.empty()) shell.sections.emplace_back("stability-amplification", "One vibration");
-  if (!study.separations.empty()) shell.sections.emplace_back("stability-separation", "Horizon");
-  shell.sections.emplace_back("stability-failures", "Failures");
-  shell.section = section(study, pictures);
-  shell.css = std::string(study_css) + std::string(stability_css);
-  shell.scripts = fmt::format("<script type=\"application/json\" id=\"stability-data\">{}</script>\n",
-                              escape_json_for_html(stability_map_data(study))) +
-                  script_element(stability_js);
-  shell.script_policy = script_policy({stability_js_sha256});
-  shell.verdict_note =
+StudySection shown_stability(const Stability& study, const std::vector<Picture>& pictures) {
+  StudySection section;
+  section.links = {{"stability-words", "Which step?"}, {"stability-maps", "Maps"}};
+  if (!study.critical_steps.empty()) section.links.emplace_back("stability-limits", "Critical steps");
+  if (!study.energies.empty()) section.links.emplace_back("stability-energy", "Energy");
+  if (!study.amplifications.empty()) section.links.emplace_back("stability-amplification", "One vibration");
+  if (!study.separations.empty()) section.links.emplace_back("stability-separation", "Horizon");
+  section.links.emplace_back("stability-failures", "Failures");
+  section.html = section_html(study, pictures);
+  section.css = stability_css;
+  section.data = data_element("stability-data", stability_map_data(study));
+  section.scripts = {{stability_js, stability_js_sha256}};
+  section.verdict_note =
       "All are <strong>verification</strong>: of the predicted limits by the steps found, and of the "
       "references.";
-  return study_shell(shell, results.verdicts, results.study.loaded.source, study.provenance, results.stages);
+  return section;
 }
 
 }  // namespace plumb

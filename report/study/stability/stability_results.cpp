@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "engine/study/stability/stability_json.h"
 #include "engine/study/stability/step_in_words.h"
 #include "report/base/escape.h"
-#include "report/document/case_json.h"
-#include "report/document/junit_suites.h"
 #include "report/figure/outcome_style.h"
 #include "report/verdict/results.h"
 
@@ -107,10 +104,6 @@ std::vector<Verdict> stability_verdicts(const Stability& study) {
   return verdicts;
 }
 
-StabilityResults evaluate_stability(const StabilityStudyFile& study, const Stages& stages) {
-  return {study, stability_verdicts(study.result), stages};
-}
-
 std::string outcomes_in_words(const Stability& study) {
   std::string text;
   for (const OutcomeStyle& style : outcome_styles()) {
@@ -123,58 +116,28 @@ std::string outcomes_in_words(const Stability& study) {
   return text;
 }
 
-std::string headline(const StabilityResults& results) {
-  const Stability& study = results.study.result;
+StudyReport evaluate_stability(const StabilityStudyFile& file, const Stages& stages) {
+  const Stability& study = file.result;
+  StudyReport report{file.loaded, "where methods fail", study.provenance, stability_verdicts(study), stages};
   long points = 0;
   for (const OutcomeMap& map : study.maps) points += std::ssize(map.points);
-  const auto met = std::count_if(results.verdicts.begin(), results.verdicts.end(),
-                                 [](const Verdict& v) { return v.status == VerdictStatus::passed; });
-  return fmt::format("{} in {}: {}. {} of {} met.", counted(points, "point", "points"),
-                     counted(std::ssize(study.maps), "map", "maps"), outcomes_in_words(study), met,
-                     counted(std::ssize(results.verdicts), "criterion", "criteria"));
-}
-
-std::string to_json(const StabilityResults& results) {
-  nlohmann::ordered_json json;
-  json["schema_version"] = results_version;
-  json["title"] = results.study.result.title;
-  json["headline"] = headline(results);
-  json["all_criteria_met"] = all_passed(results.verdicts);
-  json["verdicts"] = nlohmann::ordered_json::array();
-  for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));
-  json["stability"] = stability_to_json(results.study.result);
-  json["case"] = case_json(results.study.loaded);
-  for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-std::string to_junit(const StabilityResults& results) {
-  std::vector<JunitSuite> all = suites_of(results.verdicts);
-  all.insert(all.begin(),
-             {"study",
-              {{fmt::format("stability: {}", counted(std::ssize(results.study.result.maps), "map", "maps")),
-                any_run(results.study.result) ? VerdictStatus::passed : VerdictStatus::not_run,
-                any_run(results.study.result) ? "" : "no run was made", 0}}});
-  return junit_xml(results.study.result.title, all);
-}
-
-std::string to_summary(const StabilityResults& results) {
-  const Stability& study = results.study.result;
-  std::string text = fmt::format("# Stability: {}\n\n{}\n\n", escape_markdown(study.title),
-                                 escape_markdown(headline(results)));
-  text += fmt::format("At {}{} over {:g} s, to {:g} m:\n\n",
-                      escape_markdown(parameter_text(study, study.parameter_value)),
-                      (study.parameter.empty() ? "" : ", ") + counted(study.elements, "element", "elements"),
-                      study.end, study.tolerance);
+  const std::string maps = counted(std::ssize(study.maps), "map", "maps");
+  report.headline = fmt::format("{} in {}: {}. {}", counted(points, "point", "points"), maps,
+                                outcomes_in_words(study), met_in_words(report.verdicts));
+  report.results["stability"] = stability_to_json(study);
+  const bool run = any_run(study);
+  report.suites.insert(report.suites.begin(),
+                       {"study",
+                        {{"stability: " + maps, run ? VerdictStatus::passed : VerdictStatus::not_run,
+                          run ? "" : "no run was made"}}});
+  report.before = fmt::format(
+      "At {}{} over {:g} s, to {:g} m:\n\n", escape_markdown(parameter_text(study, study.parameter_value)),
+      (study.parameter.empty() ? "" : ", ") + counted(study.elements, "element", "elements"), study.end,
+      study.tolerance);
   for (const OutcomeMap& map : study.maps)
     if (map.axis == MapAxis::elements)
-      text += fmt::format("- {}: {}\n", escape_markdown(map.label), escape_markdown(map.in_words));
-  // The verdicts, of bounded length themselves, go first where there is no room for both.
-  constexpr std::size_t most = 63 * 1024;
-  const std::string verdicts = "\n" + verdict_table(results.verdicts);
-  const std::size_t room = most - std::min(most, verdicts.size());
-  if (text.size() > room) text.resize(text.rfind('\n', room) + 1);
-  return text + verdicts;
+      report.before += fmt::format("- {}: {}\n", escape_markdown(map.label), escape_markdown(map.in_words));
+  return report;
 }
 
 std::string parameter_text(const Stability& study, double value) {

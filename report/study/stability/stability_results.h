@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "engine/study/stability/stability_file.h"
-#include "report/base/stages.h"
-#include "report/verdict/verdict.h"
+#include "report/study/study_report.h"
 
 namespace plumb {
-
-/// Everything the report of a stability study says, apart from how it looks.
-struct StabilityResults {
-  const StabilityStudyFile& study;
-  std::vector<Verdict> verdicts;
-  Stages stages;  ///< those before the report itself
-};
 
 /// A critical step that was found may differ by this share from the one predicted.
 inline constexpr double limit_tolerance = 0.05;
@@ -32,19 +24,15 @@ double deviation(const CriticalStep& step);
 /// each reference known to a tenth of the tolerance.
 std::vector<Verdict> stability_verdicts(const Stability& study);
 
-StabilityResults evaluate_stability(const StabilityStudyFile& study, const Stages& stages);
+/// What its report says: the runs by outcome, the verdicts, and the steps in words.
+StudyReport evaluate_stability(const StabilityStudyFile& study, const Stages& stages);
+
+/// The study on its page. `pictures` are those of stability_figures.
+StudySection shown_stability(const Stability& study, const std::vector<Picture>& pictures);
 
 /// "412 accurate, 96 inaccurate, …": the runs of the maps by outcome. A run that serves several maps counts
 /// in each.
 std::string outcomes_in_words(const Stability& study);
-
-/// The study in one sentence.
-std::string headline(const StabilityResults& results);
-
-/// results.json, junit.xml and summary.md of the study.
-std::string to_json(const StabilityResults& results);
-std::string to_junit(const StabilityResults& results);
-std::string to_summary(const StabilityResults& results);
 
 /// "f = 5", or "" where no parameter is varied.
 std::string parameter_text(const Stability& study, double value);

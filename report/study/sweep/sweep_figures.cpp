@@ -2,8 +2,7 @@
 
 #include <map>
 
-#include "render/gl/gl_context.h"
-#include "report/study/sweep/sweep_report.h"
+#include "report/study/sweep/sweep_results.h"
 
 namespace plumb {
 namespace {
@@ -79,11 +78,6 @@ std::vector<Figure> sweep_figures(const Sweep& sweep) {
   figure.plot.font_size = 30;
   figure.plot.panels.push_back(std::move(panel));
   return {std::move(figure)};
-}
-
-std::vector<Picture> draw_sweep(const Sweep& sweep, OutputFolder& folder) {
-  const GlContext context;
-  return draw_figures(sweep_figures(sweep), context, picture_texts(context, sweep.loaded.spec.title), folder);
 }
 
 }  // namespace plumb

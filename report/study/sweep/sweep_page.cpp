@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
-#include "engine/base/file_writing.h"
 #include "report/page/page_template.h"
-#include "report/page/verdict_html.h"
-#include "report/study/sweep/sweep_report.h"
+#include "report/study/sweep/sweep_results.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
 
-extern const std::string_view sweep_page_mustache;
-extern const std::string_view page_css;
-extern const std::string_view study_css;
+extern const std::string_view sweep_mustache;
 
 namespace {
 
@@ -89,40 +85,26 @@ data trouble_rows(const Sweep& sweep, std::size_t& troubles) {
 
 }  // namespace
 
-std::string to_sweep_page(const SweepResults& results, const std::vector<Picture>& pictures) {
-  const Sweep& sweep = results.sweep;
-  data page;
-  page["title"] = sweep.loaded.spec.title;
-  page["css"] = std::string(page_css) + std::string(study_css);
-  page["headline"] = headline(results);
-  page["good"] = all_passed(results.verdicts);
-  page["cases"] = counted(std::ssize(sweep.runs), "case", "cases");
-  page["seed"] = std::to_string(sweep.spec.seed);
-  page["tolerance"] = fmt::format("{:g}", sweep.spec.tolerance);
-  page["time_limit"] = fmt::format("{:g}", sweep.spec.time_limit);
-  page["heads"] = outcome_heads(sweep);
-  page["rows"] = count_rows(sweep);
-  page["examples"] = example_rows(sweep);
+StudySection shown_sweep(const Sweep& sweep, const std::vector<Picture>& pictures) {
+  data values;
+  values["cases"] = counted(std::ssize(sweep.runs), "case", "cases");
+  values["seed"] = std::to_string(sweep.spec.seed);
+  values["tolerance"] = fmt::format("{:g}", sweep.spec.tolerance);
+  values["time_limit"] = fmt::format("{:g}", sweep.spec.time_limit);
+  values["heads"] = outcome_heads(sweep);
+  values["rows"] = count_rows(sweep);
+  values["examples"] = example_rows(sweep);
   std::size_t troubles = 0;
-  page["troubles"] = trouble_rows(sweep, troubles);
-  page["has_troubles"] = troubles > 0;
-  page["trouble_count"] = counted(static_cast<long>(troubles), "run", "runs");
-  page["more_troubles"] = troubles > most_listed
-                              ? fmt::format("{} more are in results.json.", troubles - most_listed)
-                              : std::string();
-  data figures{data::type::list};
-  for (const Picture& picture : pictures) {
-    data row;
-    row["uri"] = data_uri(picture.png);
-    row["alt"] = picture.alt;
-    row["title"] = picture.title;
-    row["file"] = picture.file;
-    figures.push_back(row);
-  }
-  page.set("figures", figures);
-  page["verdicts"] = verdict_html(results.verdicts);
-  set_case_and_provenance(page, sweep.loaded.source, sweep.provenance, results.stages);
-  return fill_in(sweep_page_mustache, page);
+  values["troubles"] = trouble_rows(sweep, troubles);
+  values["has_troubles"] = troubles > 0;
+  values["trouble_count"] = counted(static_cast<long>(troubles), "run", "runs");
+  values["more_troubles"] = troubles > most_listed
+                                ? fmt::format("{} more are in results.json.", troubles - most_listed)
+                                : std::string();
+  values.set("figures", picture_rows(pictures));
+  return {{{"outcomes", "Outcomes"}, {"wrong", "What is wrong"}, {"examples", "Examples"}},
+          fill_in(sweep_mustache, values),
+          "All are <strong>verification</strong>: of what the program says of its own runs."};
 }
 
 }  // namespace plumb

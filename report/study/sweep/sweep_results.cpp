@@ -3,19 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "engine/integrate/method_info.h"
 #include "engine/study/sweep/sweep_json.h"
 #include "report/base/escape.h"
-#include "report/document/case_json.h"
-#include "report/document/junit_suites.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = Document;
 
 template <class Which>
 long count_of(const Sweep& sweep, Which which) {
@@ -83,6 +80,35 @@ Json counts_json(const OutcomeCounts& counts, const std::vector<Outcome>& shown)
   return json;
 }
 
+/// How many cases there are, and what none of them does, or some do.
+std::string headline_of(const Sweep& sweep) {
+  std::string text = fmt::format(
+      "{}: {}, {}, {}", counted(std::ssize(sweep.runs), "random case", "random cases"),
+      none_or(wrongly_accurate(sweep), "ends accurate beyond its tolerance",
+              "end accurate beyond their tolerance"),
+      none_or(faulty(sweep), "crashes or hangs", "crash or hang"),
+      none_or(not_finite(sweep), "holds a number that is not finite", "hold a number that is not finite"));
+  if (const long other = unjudged(sweep); other > 0)
+    text += fmt::format(", {} could not be judged", other);
+  else if (!sweep.runs.empty())
+    text += ", and each ends in one of seven outcomes";
+  return text + ". ";
+}
+
+Json sweep_document(const Sweep& sweep) {
+  const std::vector<Outcome> shown = shown_outcomes(sweep);
+  Json study{{"cases", sweep.spec.cases},
+             {"seed", sweep.spec.seed},
+             {"tolerance", sweep.spec.tolerance},
+             {"time_limit", sweep.spec.time_limit},
+             {"outcomes", counts_json(outcome_counts(sweep), shown)}};
+  for (const auto& [method, counts] : outcome_counts_by_method(sweep))
+    study["methods"][method] = counts_json(counts, shown);
+  study["runs"] = Json::array();
+  for (const SweepRun& run : sweep.runs) study["runs"].push_back(sweep_run_json(run));
+  return study;
+}
+
 }  // namespace
 
 std::vector<Verdict> sweep_verdicts(const Sweep& sweep) {
@@ -98,29 +124,6 @@ std::vector<Verdict> sweep_verdicts(const Sweep& sweep) {
           none_of("finite", "no run holds a number that is infinite or none", not_finite(sweep), all, ""),
           none_of("outcomes", "every run ends in one of the seven outcomes", unjudged(sweep), all,
                   "A run that completes is held against a reference.")};
-}
-
-SweepResults evaluate_sweep(const Sweep& sweep, const Stages& stages) {
-  return {sweep, sweep_verdicts(sweep), stages};
-}
-
-std::string headline(const SweepResults& results) {
-  const Sweep& sweep = results.sweep;
-  std::string text = fmt::format(
-      "{}: {}, {}, {}", counted(std::ssize(sweep.runs), "random case", "random cases"),
-      none_or(wrongly_accurate(sweep), "ends accurate beyond its tolerance",
-              "end accurate beyond their tolerance"),
-      none_or(faulty(sweep), "crashes or hangs", "crash or hang"),
-      none_or(not_finite(sweep), "holds a number that is not finite", "hold a number that is not finite"));
-  if (const long other = unjudged(sweep); other > 0)
-    text += fmt::format(", {} could not be judged", other);
-  else if (!sweep.runs.empty())
-    text += ", and each ends in one of seven outcomes";
-  const auto met =
-      std::count_if(results.verdicts.begin(), results.verdicts.end(),
-                    [](const Verdict& verdict) { return verdict.status == VerdictStatus::passed; });
-  return fmt::format("{}. {} of {} met.", text, met,
-                     counted(std::ssize(results.verdicts), "criterion", "criteria"));
 }
 
 OutcomeCounts outcome_counts(const Sweep& sweep) {
@@ -185,59 +188,29 @@ std::string command_of(const Sweep& sweep, const SweepRun& run) {
   return text;
 }
 
-std::string to_json(const SweepResults& results) {
-  const Sweep& sweep = results.sweep;
-  const std::vector<Outcome> shown = shown_outcomes(sweep);
-  Json json;
-  json["schema_version"] = results_version;
-  json["title"] = sweep.loaded.spec.title;
-  json["headline"] = headline(results);
-  json["all_criteria_met"] = all_passed(results.verdicts);
-  json["verdicts"] = Json::array();
-  for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));
-  Json& study = json["sweep"];
-  study = {{"cases", sweep.spec.cases},
-           {"seed", sweep.spec.seed},
-           {"tolerance", sweep.spec.tolerance},
-           {"time_limit", sweep.spec.time_limit},
-           {"outcomes", counts_json(outcome_counts(sweep), shown)}};
-  for (const auto& [method, counts] : outcome_counts_by_method(sweep))
-    study["methods"][method] = counts_json(counts, shown);
-  study["runs"] = Json::array();
-  for (const SweepRun& run : sweep.runs) study["runs"].push_back(sweep_run_json(run));
-  json["case"] = case_json(sweep.loaded);
-  for (const auto& [name, seconds] : results.stages.all()) json["seconds"][name] = seconds;
-  for (const auto& [name, value] : sweep.provenance) json["provenance"][name] = value;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string to_junit(const SweepResults& results) {
-  return junit_xml(results.sweep.loaded.spec.title, suites_of(results.verdicts));
-}
-
-std::string to_summary(const SweepResults& results) {
-  constexpr std::size_t most_listed = 50;
-  const Sweep& sweep = results.sweep;
-  std::string text = fmt::format("# Random sweep: {}\n\n{}\n\n", escape_markdown(sweep.loaded.spec.title),
-                                 escape_markdown(headline(results)));
-  text += verdict_table(results.verdicts);
-  text += "\n| outcome | runs | share |\n| --- | --- | --- |\n";
+StudyReport evaluate_sweep(const Sweep& sweep, const Stages& stages) {
+  StudyReport report{sweep.loaded, "random cases", sweep.provenance, sweep_verdicts(sweep), stages};
+  report.headline = headline_of(sweep) + met_in_words(report.verdicts);
+  report.results["sweep"] = sweep_document(sweep);
+  report.after = "\n| outcome | runs | share |\n| --- | --- | --- |\n";
   const OutcomeCounts counts = outcome_counts(sweep);
   for (const Outcome outcome : shown_outcomes(sweep)) {
     const auto found = counts.find(outcome);
     const long count = found == counts.end() ? 0 : found->second;
-    text += fmt::format("| {} | {} | {} |\n", word(outcome), count,
-                        share_in_words(count, std::ssize(sweep.runs)));
+    report.after += fmt::format("| {} | {} | {} |\n", word(outcome), count,
+                                share_in_words(count, std::ssize(sweep.runs)));
   }
+  constexpr std::size_t most_listed = 50;
   std::size_t listed = 0;
   for (const SweepRun& run : sweep.runs) {
     const std::string trouble = trouble_of(run, sweep.spec.tolerance);
     if (trouble.empty() || listed++ >= most_listed) continue;
-    text += fmt::format("\n- case {}: {}: {}", run.number, escape_markdown(trouble),
-                        markdown_code(command_of(sweep, run)));
+    report.after += fmt::format("\n- case {}: {}: {}", run.number, escape_markdown(trouble),
+                                markdown_code(command_of(sweep, run)));
   }
-  if (listed > most_listed) text += fmt::format("\n- and {} more", listed - most_listed);
-  return text + (listed > 0 ? "\n" : "");
+  if (listed > most_listed) report.after += fmt::format("\n- and {} more", listed - most_listed);
+  if (listed > 0) report.after += "\n";
+  return report;
 }
 
 }  // namespace plumb

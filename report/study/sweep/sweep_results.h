@@ -5,26 +5,22 @@
 #include <vector>
 
 #include "engine/study/sweep/sweep.h"
-#include "report/base/stages.h"
-#include "report/verdict/verdict.h"
+#include "report/study/study_report.h"
 
 namespace plumb {
-
-/// Everything the report of a sweep says, apart from how it looks.
-struct SweepResults {
-  const Sweep& sweep;
-  std::vector<Verdict> verdicts;
-  Stages stages;  ///< those before the report itself
-};
 
 /// Verdicts, all of verification: no run ends accurate beyond its tolerance; none crashes, hangs or throws;
 /// none holds a number that is not finite; each ends in one of the outcomes of a judged run.
 std::vector<Verdict> sweep_verdicts(const Sweep& sweep);
 
-SweepResults evaluate_sweep(const Sweep& sweep, const Stages& stages);
+/// What its report says: how many cases there are, and what none of them does, or some do.
+StudyReport evaluate_sweep(const Sweep& sweep, const Stages& stages);
 
-/// The sweep in one sentence: how many cases, and what none of them does, or some do.
-std::string headline(const SweepResults& results);
+/// The shares of the outcomes, for all runs and for each method, as bars.
+std::vector<Figure> sweep_figures(const Sweep& sweep);
+
+/// The sweep on its page, with these pictures.
+StudySection shown_sweep(const Sweep& sweep, const std::vector<Picture>& pictures);
 
 /// How many runs ended in each outcome.
 using OutcomeCounts = std::map<Outcome, long>;
@@ -46,10 +42,5 @@ std::string trouble_of(const SweepRun& run, double tolerance);
 
 /// The command that repeats a run alone: "plumb solve cases/failure/random_sweep.toml --set …".
 std::string command_of(const Sweep& sweep, const SweepRun& run);
-
-/// results.json, junit.xml and summary.md of a sweep.
-std::string to_json(const SweepResults& results);
-std::string to_junit(const SweepResults& results);
-std::string to_summary(const SweepResults& results);
 
 }  // namespace plumb

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "report/base/document_value.h"
+#include "engine/study/uncertainty/budget_json.h"
 #include "report/page/page_template.h"
+#include "report/study/uncertainty/budget_figure.h"
 
 namespace plumb {
 
@@ -17,7 +17,10 @@ extern const std::string_view budget_mustache;
 namespace {
 
 using kainjow::mustache::data;
-using Json = nlohmann::ordered_json;
+using Json = Document;
+
+constexpr const char* budget_key = "error_budget";
+constexpr const char* budget_figures_key = "error_budget_figures";
 
 /// Two digits, as a distance between two computations means no more. -1 is none.
 std::string distance_text(const Json& json) {
@@ -69,9 +72,8 @@ double greatest(const Json& run, const char* key) {
   return value;
 }
 
-}  // namespace
-
-std::string budget_in_words(const Json& budget) {
+/// What the budget comes to, in one sentence: "Error budget of published: …".
+std::string budget_in_words(const Document& budget) {
   const std::string reference = text_of(budget, "reference");
   if (const std::string why = text_of(budget, "left_out"); !why.empty())
     return fmt::format("No error budget of {}: {}.", reference, why);
@@ -96,7 +98,7 @@ std::string budget_in_words(const Json& budget) {
       amount(budget.at("all_together"), "from_base"));
 }
 
-std::string budget_section(const Json& budget, const std::vector<Picture>& pictures) {
+std::string budget_html(const Document& budget, const std::vector<Picture>& pictures) {
   data values;
   values["summary"] = budget_in_words(budget);
   values["reference"] = text_of(budget, "reference");
@@ -140,18 +142,30 @@ std::string budget_section(const Json& budget, const std::vector<Picture>& pictu
     values.set("distances", distances);
     values.set("overrides", override_rows(budget.at("base").at("overrides")));
     values["has_overrides"] = !budget.at("base").at("overrides").empty();
-    data drawn{data::type::list};
-    for (const Picture& picture : pictures) {
-      data row;
-      row["uri"] = data_uri(picture.png);
-      row["alt"] = picture.alt;
-      row["title"] = picture.title;
-      row["file"] = picture.file;
-      drawn.push_back(row);
-    }
-    values.set("pictures", drawn);
+    values.set("pictures", picture_rows(pictures));
   }
   return fill_in(budget_mustache, values);
+}
+
+}  // namespace
+
+RunSection budget_section(const ErrorBudget& budget) {
+  RunSection section{.key = budget_key,
+                     .json = budget_json(budget),
+                     .figures_key = budget_figures_key,
+                     .drawing_stage = "budget figure"};
+  if (budget.left_out.empty()) section.figures = [budget] { return std::vector{budget_figure(budget)}; };
+  return section;
+}
+
+PageSection budget_on_page() {
+  return {.key = budget_key,
+          .id = "budget",
+          .link = "Error budget",
+          .title = "Error budget",
+          .html = budget_html,
+          .figures_key = budget_figures_key,
+          .line = budget_in_words};
 }
 
 }  // namespace plumb

@@ -1,18 +1,14 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
-
-#include "report/figure/pictures.h"
+#include "engine/study/uncertainty/error_budget.h"
+#include "report/page/page_section.h"
 
 namespace plumb {
 
-/// The error budget of a report as HTML, from the `error_budget` of its document and what was drawn of it.
-/// Throws nlohmann's exceptions where that is not as output/README.md says.
-std::string budget_section(const nlohmann::ordered_json& budget, const std::vector<Picture>& pictures);
+/// The error budget of a run as a section of its report.
+RunSection budget_section(const ErrorBudget& budget);
 
-/// What the budget comes to, in one sentence: "Error budget of published: …".
-std::string budget_in_words(const nlohmann::ordered_json& budget);
+/// How a page shows it.
+PageSection budget_on_page();
 
 }  // namespace plumb

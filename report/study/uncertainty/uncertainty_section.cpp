@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "report/base/document_value.h"
+#include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
@@ -15,7 +14,9 @@ extern const std::string_view uncertainty_mustache;
 namespace {
 
 using kainjow::mustache::data;
-using Json = nlohmann::ordered_json;
+using Json = Document;
+
+constexpr const char* uncertainty_key = "uncertainty";
 
 std::string number(const Json& json) {
   return json.is_number() ? fmt::format("{:.2g}", json.get<double>()) : "not finite";
@@ -122,9 +123,25 @@ data text_rows(const Json& texts) {
   return rows;
 }
 
-}  // namespace
+void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesError>& errors, const Case& spec,
+                     const Uncertainty& uncertainty) {
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const SeriesError& error = errors[k];
+    const auto series =
+        std::find_if(uncertainty.series.begin(), uncertainty.series.end(), [&](const SeriesUncertainty& any) {
+          return any.reference == spec.references[error.reference].name && any.column == error.column;
+        });
+    if (error.given_run || series == uncertainty.series.end() || verdicts[k].status == VerdictStatus::not_run)
+      continue;
+    const std::string text = fmt::format(
+        "; E = {:+.3g} {} with u_val {}{:.2g} {}: {}", series->error[series->greatest], series->unit,
+        series->whole() ? "" : "≥ ", series->validation[series->greatest], series->unit, series->finding);
+    verdicts[k].detail += text;
+    verdicts[k].message += text;
+  }
+}
 
-std::string uncertainty_section(const Json& uncertainty) {
+std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>&) {
   const Json& sampling = uncertainty.at("sampling");
   data values;
   values["standard"] = text_of(uncertainty, "standard");
@@ -151,6 +168,25 @@ std::string uncertainty_section(const Json& uncertainty) {
   values["has_left_out"] = !uncertainty.at("left_out").empty();
   values.set("left_out", text_rows(uncertainty.at("left_out")));
   return fill_in(uncertainty_mustache, values);
+}
+
+}  // namespace
+
+RunSection uncertainty_section(const Uncertainty& uncertainty, const Case& spec) {
+  return {
+      .key = uncertainty_key,
+      .json = uncertainty_json(uncertainty),
+      .judge = [uncertainty, spec](std::vector<Verdict>& verdicts, const std::vector<SeriesError>& errors) {
+        add_uncertainty(verdicts, errors, spec, uncertainty);
+      }};
+}
+
+PageSection uncertainty_on_page() {
+  return {.key = uncertainty_key,
+          .id = "uncertainty",
+          .link = "Uncertainty",
+          .title = "Uncertainty of the comparisons",
+          .html = uncertainty_html};
 }
 
 }  // namespace plumb

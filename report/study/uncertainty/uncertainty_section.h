@@ -1,12 +1,16 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
+#include "engine/study/uncertainty/uncertainty.h"
+#include "report/page/page_section.h"
 
 namespace plumb {
 
-/// The validation uncertainty of a report as HTML, from the `uncertainty` of its document. Throws nlohmann's
-/// exceptions where that is not as output/README.md says.
-std::string uncertainty_section(const nlohmann::ordered_json& uncertainty);
+/// The validation uncertainty of a run as a section of its report. To the text of each verdict it adds its
+/// comparison error E where that is greatest, the validation uncertainty there, and what follows; those
+/// without an estimate stay as they are. `spec` is the case of the run.
+RunSection uncertainty_section(const Uncertainty& uncertainty, const Case& spec);
+
+/// How a page shows it.
+PageSection uncertainty_on_page();
 
 }  // namespace plumb

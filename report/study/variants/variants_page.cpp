@@ -1,17 +1,13 @@
-#include "report/study/variants/variants_page.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "report/page/page_template.h"
-#include "report/verdict/results.h"
+#include "report/study/variants/variants_results.h"
 
 namespace plumb {
 
-extern const std::string_view page_css;
-extern const std::string_view study_css;
-extern const std::string_view variants_page_mustache;
+extern const std::string_view variants_mustache;
 
 namespace {
 
@@ -64,38 +60,26 @@ data figure_row(const VariantResult& variant, const ExpectationFound& figure) {
 
 }  // namespace
 
-std::string to_variants_page(const VariantsResults& results, const std::vector<Picture>& pictures) {
-  const Variants& study = results.study.result;
-  data page;
-  page["title"] = study.title;
-  page["css"] = std::string(page_css) + std::string(study_css);
-  page["headline"] = headline(results);
-  page["good"] = all_passed(results.verdicts);
-  data variants{data::type::list}, figures{data::type::list};
-  bool any_figure = false;
+StudySection shown_variants(const Variants& study, const std::vector<Picture>& pictures) {
+  data values, variants{data::type::list}, figures{data::type::list};
   for (const VariantResult& variant : study.variants) {
     variants.push_back(variant_row(variant));
-    for (const ExpectationFound& figure : variant.expectations) {
+    for (const ExpectationFound& figure : variant.expectations)
       figures.push_back(figure_row(variant, figure));
-      any_figure = true;
-    }
   }
-  page.set("variants", variants);
-  page["has_figures"] = any_figure;
-  page.set("figures", figures);
-  data drawn{data::type::list};
-  for (const Picture& picture : pictures) {
-    data values;
-    values["uri"] = data_uri(picture.png);
-    values["alt"] = picture.alt;
-    values["title"] = picture.title;
-    values["file"] = picture.file;
-    drawn.push_back(values);
-  }
-  page["has_pictures"] = !pictures.empty();
-  page.set("pictures", drawn);
-  set_case_and_provenance(page, results.study.loaded.source, study.provenance, results.stages);
-  return fill_in(variants_page_mustache, page);
+  StudySection section;
+  section.links = {{"variants", "Variants"}};
+  if (!figures.list_value().empty()) section.links.emplace_back("figures", "Figures");
+  if (!pictures.empty()) section.links.emplace_back("pictures", "Pictures");
+  values["has_figures"] = !figures.list_value().empty();
+  values["has_pictures"] = !pictures.empty();
+  values.set("variants", variants);
+  values.set("figures", figures);
+  values.set("pictures", picture_rows(pictures));
+  section.html = fill_in(variants_mustache, values);
+  section.verdict_note =
+      "All are <strong>verification</strong>: a failure that is expected and shown is one that is passed.";
+  return section;
 }
 
 }  // namespace plumb

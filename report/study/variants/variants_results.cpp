@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/base/escape.h"
-#include "report/document/junit_suites.h"
+#include "report/document/case_json.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -69,6 +68,58 @@ Verdict verdict_of(const VariantResult& variant) {
   return verdict;
 }
 
+/// How the variants ended, and which of them not as expected, in words.
+std::string headline_of(const std::vector<VariantResult>& variants, const std::vector<Verdict>& verdicts) {
+  std::string ends;
+  for (const Outcome outcome : outcomes()) {
+    const auto count = std::count_if(variants.begin(), variants.end(), [&](const VariantResult& variant) {
+      return variant.trajectory.outcome == outcome;
+    });
+    if (count > 0) ends += fmt::format("{}{} {}", ends.empty() ? "" : ", ", count, word(outcome));
+  }
+  std::string text = fmt::format("{}: {}. ", counted(std::ssize(variants), "variant", "variants"), ends);
+  std::string others;
+  for (const Verdict& verdict : verdicts)
+    if (verdict.status != VerdictStatus::passed)
+      others += fmt::format("{}\"{}\"", others.empty() ? "" : ", ", verdict.name);
+  if (verdicts.empty()) return text + "Nothing is expected of them, so nothing is claimed.";
+  if (others.empty())
+    return text + (verdicts.size() == variants.size()
+                       ? "Each ends as expected, with the figures that are known of it."
+                       : fmt::format("All {} of which something is expected show it.", verdicts.size()));
+  return text + fmt::format("Not as expected: {}.", others);
+}
+
+Document figure_json(const ExpectationFound& figure) {
+  Document json{{"quantity", figure.expected.quantity},
+                {"expected", figure.expected.value},
+                {"within", figure.expected.within},
+                {"found", figure.found},
+                {"unit", figure.unit},
+                {"met", figure.met()},
+                {"source", figure.expected.source}};
+  if (!figure.expected.from.empty()) json["from"] = figure.expected.from;
+  return json;
+}
+
+Document variant_json(const VariantResult& variant) {
+  Run run;
+  run.loaded.spec = variant.run;
+  run.trajectory = variant.trajectory;
+  Document json{{"name", variant.spec.name},
+                {"overrides", variant.spec.overrides},
+                {"method", method_json(variant.run.method)},
+                {"expected_outcome", variant.spec.outcome},
+                {"expected_message", variant.spec.says},
+                {"outcome_met", variant.outcome_met()},
+                {"met", variant.met()},
+                {"reason", variant.spec.reason},
+                {"solve", solve_json(run)},
+                {"figures", Document::array()}};
+  for (const ExpectationFound& figure : variant.expectations) json["figures"].push_back(figure_json(figure));
+  return json;
+}
+
 }  // namespace
 
 std::string with_margin(double value, double within) {
@@ -98,53 +149,22 @@ std::string found_in_words(const VariantResult& variant) {
   return text;
 }
 
-VariantsResults evaluate_variants(const VariantsStudy& study, const Stages& stages) {
-  VariantsResults results{study, {}, stages};
-  for (const VariantResult& variant : study.result.variants)
-    if (variant.spec.expects_anything()) results.verdicts.push_back(verdict_of(variant));
-  return results;
-}
-
-std::string headline(const VariantsResults& results) {
-  const std::vector<VariantResult>& variants = results.study.result.variants;
-  std::string ends;
-  for (const Outcome outcome : outcomes()) {
-    const auto count = std::count_if(variants.begin(), variants.end(), [&](const VariantResult& variant) {
-      return variant.trajectory.outcome == outcome;
-    });
-    if (count > 0) ends += fmt::format("{}{} {}", ends.empty() ? "" : ", ", count, word(outcome));
-  }
-  std::string text = fmt::format("{}: {}. ", counted(std::ssize(variants), "variant", "variants"), ends);
-  std::string others;
-  for (const Verdict& verdict : results.verdicts)
-    if (verdict.status != VerdictStatus::passed)
-      others += fmt::format("{}\"{}\"", others.empty() ? "" : ", ", verdict.name);
-  if (results.verdicts.empty()) return text + "Nothing is expected of them, so nothing is claimed.";
-  if (others.empty())
-    return text +
-           (results.verdicts.size() == variants.size()
-                ? "Each ends as expected, with the figures that are known of it."
-                : fmt::format("All {} of which something is expected show it.", results.verdicts.size()));
-  return text + fmt::format("Not as expected: {}.", others);
-}
-
-std::string to_junit(const VariantsResults& results) {
+StudyReport evaluate_variants(const VariantsStudy& study, const Stages& stages) {
+  const std::vector<VariantResult>& variants = study.result.variants;
+  StudyReport report{study.loaded, "where it fails", study.result.provenance, {}, stages};
   JunitSuite suite{std::string(word(VerdictKind::verification)), {}};
-  for (const Verdict& verdict : results.verdicts) {
-    double seconds = 0;
-    for (const VariantResult& variant : results.study.result.variants)
-      if (variant.spec.name == verdict.name) seconds = std::max(0.0, variant.trajectory.solve_seconds);
+  Document& all = report.results["variants"] = Document::array();
+  for (const VariantResult& variant : variants) {
+    all.push_back(variant_json(variant));
+    if (!variant.spec.expects_anything()) continue;
+    const Verdict& verdict = report.verdicts.emplace_back(verdict_of(variant));
     suite.cases.push_back({verdict.name, verdict.status,
                            fmt::format("expected: {}; found: {}", verdict.criterion, verdict.message),
-                           seconds});
+                           std::max(0.0, variant.trajectory.solve_seconds)});
   }
-  return junit_xml(results.study.result.title, {suite});
-}
-
-std::string to_summary(const VariantsResults& results) {
-  return fmt::format("# Where it fails: {}\n\n{}\n\n", escape_markdown(results.study.result.title),
-                     escape_markdown(headline(results))) +
-         verdict_table(results.verdicts);
+  report.headline = headline_of(variants, report.verdicts);
+  report.suites = {suite};
+  return report;
 }
 
 }  // namespace plumb

@@ -133,19 +133,4 @@ std::string study_chart_data(const WorkPrecision& study) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string escape_json_for_html(const std::string& json) {
-  std::string result;
-  for (const char c : json) {
-    if (c == '<')
-      result += "\\u003c";
-    else if (c == '>')
-      result += "\\u003e";
-    else if (c == '&')
-      result += "\\u0026";
-    else
-      result += c;
-  }
-  return result;
-}
-
 }  // namespace plumb

@@ -10,7 +10,4 @@ namespace plumb {
 /// with their looks, fronts and floors. What was not counted or taken is null.
 std::string study_chart_data(const WorkPrecision& study);
 
-/// JSON for within an HTML script element, where no "</script" or "<!--" may be.
-std::string escape_json_for_html(const std::string& json);
-
 }  // namespace plumb

@@ -9,10 +9,10 @@
 
 #include "engine/study/work_precision/cheapest.h"
 #include "report/page/page_template.h"
-#include "report/page/study_page.h"
 #include "report/study/work_precision/compared_lines.h"
 #include "report/study/work_precision/study_chart_data.h"
 #include "report/study/work_precision/work_precision_figures.h"
+#include "report/study/work_precision/work_precision_json.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -29,6 +29,9 @@ namespace {
 using kainjow::mustache::data;
 
 constexpr std::size_t few_failures = 12;
+constexpr const char* study_key = "work_precision";
+constexpr const char* study_figures_key = "study_figures";
+constexpr const char* study_data_id = "study-data";
 
 std::string number(double value) {
   return value < 0 ? "–" : fmt::format("{:.3g}", value);
@@ -70,15 +73,6 @@ data run_row(const WorkPrecision& study, const std::string& label, std::size_t i
   row["tangents"] = count(run.counters.tangent_evaluations);
   row["error"] = number(errors_of(run, question).tip_max) + " m";
   return row;
-}
-
-data picture_values(const Picture& picture, const std::string& more = "") {
-  data values;
-  values["uri"] = data_uri(picture.png);
-  values["alt"] = picture.alt;
-  values["file"] = picture.file;
-  values["caption"] = picture.title + "." + more;
-  return values;
 }
 
 std::string drawn_in_words(const WorkPrecision& study, StudyQuestion question) {
@@ -282,9 +276,7 @@ std::string summary(const WorkPrecision& study) {
       "each with several steps or tolerances", meshes.size() == 1 ? "a mesh" : "meshes", of_meshes);
 }
 
-}  // namespace
-
-std::string study_section(const WorkPrecision& study, const std::vector<Picture>& pictures) {
+std::string study_html(const WorkPrecision& study, const std::vector<Picture>& pictures) {
   data values;
   values["summary"] = summary(study);
   values["fixed"] = counted(study.fixed_elements, "element", "elements");
@@ -309,34 +301,61 @@ std::string study_section(const WorkPrecision& study, const std::vector<Picture>
   return fill_in(study_mustache, values);
 }
 
-std::string study_scripts(const WorkPrecision& study) {
-  return data_element("study-data", study_chart_data(study)) + script_element(chart_min_js) +
-         script_element(study_js);
+}  // namespace
+
+RunSection work_precision_section(const WorkPrecision& study) {
+  return {.key = study_key,
+          .json = work_precision_json(study),
+          .figures_key = study_figures_key,
+          .drawing_stage = "study figures",
+          .figures = [study] { return study_figures(study); }};
 }
 
-std::string study_script_policy() {
-  return script_policy({chart_min_js_sha256, study_js_sha256});
+PageSection work_precision_on_page() {
+  return {.key = study_key,
+          .place = PagePlace::cost,
+          .id = "study",
+          .link = "Speed against accuracy",
+          .title = "Speed against accuracy",
+          .html =
+              [](const Document& json, const std::vector<Picture>& pictures) {
+                return study_html(work_precision_from_json(json), pictures);
+              },
+          .figures_key = study_figures_key,
+          .css = study_css,
+          .script = {study_js, study_js_sha256},
+          .data_id = study_data_id,
+          .data = [](const Document& json) { return study_chart_data(work_precision_from_json(json)); },
+          .clause = mesh_clause};
 }
 
-std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures) {
-  const WorkPrecision& study = results.study.result;
-  StudyShell shell;
-  shell.title = study.title;
-  shell.subject = "speed against accuracy";
-  shell.headline = headline(results);
-  shell.good = results.any_completed() && all_passed(results.verdicts);
-  shell.sections = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
-  if (!study_lines(study, StudyQuestion::time).empty()) shell.sections.emplace_back("study-orders", "Orders");
-  if (study.mesh) shell.sections.emplace_back("study-mesh", "Mesh");
-  shell.sections.emplace_back("study-failures", "Failures");
-  shell.section = study_section(study, pictures);
-  shell.css = study_css;
-  shell.scripts = study_scripts(study);
-  shell.script_policy = study_script_policy();
-  shell.verdict_note =
+std::string mesh_clause(const Document& document) {
+  if (document.contains("computed_by")) return "";
+  if (!document.contains(study_key) || !document.at(study_key).contains("mesh")) return "";
+  const Document &study = document.at(study_key), &mesh = study.at("mesh");
+  const auto elements = mesh.at("elements").get<std::vector<long>>();
+  const auto own =
+      std::find(elements.begin(), elements.end(), document.at("solve").at("elements").get<long>());
+  if (elements.empty() || own == elements.end() || own + 1 == elements.end()) return "";
+  const Document& distance = mesh.at("distance").at(static_cast<std::size_t>(own - elements.begin()));
+  if (!distance.is_number() || !(distance.get<double>() > 0)) return "";
+  return fmt::format("; the mesh itself is {} m from that of {} elements over {} s",
+                     number(distance.get<double>()), elements.back(), number(study.at("end").get<double>()));
+}
+
+StudySection shown_work_precision(const WorkPrecision& study, const std::vector<Picture>& pictures) {
+  StudySection section;
+  section.links = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
+  if (!study_lines(study, StudyQuestion::time).empty()) section.links.emplace_back("study-orders", "Orders");
+  if (study.mesh) section.links.emplace_back("study-mesh", "Mesh");
+  section.links.emplace_back("study-failures", "Failures");
+  section.html = study_html(study, pictures);
+  section.data = data_element(study_data_id, study_chart_data(study));
+  section.scripts = {{chart_min_js, chart_min_js_sha256}, {study_js, study_js_sha256}};
+  section.verdict_note =
       "All are <strong>verification</strong>: of the references, and of each method's order where its curve "
       "shows one.";
-  return study_shell(shell, results.verdicts, results.study.loaded.source, study.provenance, results.stages);
+  return section;
 }
 
 }  // namespace plumb

@@ -4,22 +4,22 @@
 #include <vector>
 
 #include "engine/study/work_precision/work_precision.h"
-#include "report/figure/pictures.h"
-#include "report/study/work_precision/work_precision_results.h"
+#include "report/study/study_report.h"
 
 namespace plumb {
 
-/// A study as a part of a page: charts, tables, failures and certificates. `pictures` are those of
-/// draw_study; the charts take their place where scripts run.
-std::string study_section(const WorkPrecision& study, const std::vector<Picture>& pictures);
+/// The quick study of a case as a section of the report of its run.
+RunSection work_precision_section(const WorkPrecision& study);
 
-/// The scripts of the charts with their data, for the end of a page's body.
-std::string study_scripts(const WorkPrecision& study);
+/// How a page shows it: charts, tables, failures and certificates. Where scripts run, the charts take the
+/// place of the pictures.
+PageSection work_precision_on_page();
 
-/// The directive of a content security policy that lets just those scripts run: "script-src 'sha256-…' …".
-std::string study_script_policy();
+/// What the distance between the meshes of the study in a document says of the mesh of its run:
+/// "; the mesh itself is …"; empty for nothing.
+std::string mesh_clause(const Document& document);
 
-/// The page of `plumb study`: one file that opens offline.
-std::string to_study_page(const StudyResults& results, const std::vector<Picture>& pictures);
+/// A whole study on its own page. `pictures` are those of study_figures.
+StudySection shown_work_precision(const WorkPrecision& study, const std::vector<Picture>& pictures);
 
 }  // namespace plumb

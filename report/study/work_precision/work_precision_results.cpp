@@ -10,7 +10,7 @@
 #include "engine/integrate/method_info.h"
 #include "engine/study/work_precision/cheapest.h"
 #include "report/base/escape.h"
-#include "report/document/junit_suites.h"
+#include "report/study/work_precision/work_precision_json.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -93,11 +93,6 @@ void append_cheapest(std::string& text, const std::string& title, const std::vec
 
 }  // namespace
 
-bool StudyResults::any_completed() const {
-  return std::any_of(study.result.runs.begin(), study.result.runs.end(),
-                     [](const StudyRun& run) { return run.completed(); });
-}
-
 std::vector<Verdict> study_verdicts(const WorkPrecision& study) {
   std::vector<Verdict> verdicts;
   for (const CertifiedReference& reference : study.mesh_references)
@@ -110,10 +105,6 @@ std::vector<Verdict> study_verdicts(const WorkPrecision& study) {
   for (const StudyCurve& curve : study.curves)
     if (auto verdict = order_verdict(study, curve)) verdicts.push_back(std::move(*verdict));
   return verdicts;
-}
-
-StudyResults evaluate_study(const Study& study, const Stages& stages) {
-  return {study, study_verdicts(study.result), stages};
 }
 
 std::string failures_in_words(const WorkPrecision& study) {
@@ -134,41 +125,31 @@ std::string failures_in_words(const WorkPrecision& study) {
   return text;
 }
 
-std::string headline(const StudyResults& results) {
-  const WorkPrecision& study = results.study.result;
-  std::string text = fmt::format("{} of {} on {}", counted(std::ssize(study.runs), "run", "runs"),
-                                 counted(std::ssize(study.curves), "curve", "curves"),
-                                 counted(std::ssize(study.mesh_references), "mesh", "meshes"));
-  if (const std::string failures = failures_in_words(study); !failures.empty()) text += ": " + failures;
-  const auto met =
-      std::count_if(results.verdicts.begin(), results.verdicts.end(),
-                    [](const Verdict& verdict) { return verdict.status == VerdictStatus::passed; });
-  return fmt::format("{}. {} of {} met.", text, met,
-                     counted(std::ssize(results.verdicts), "criterion", "criteria"));
-}
-
-std::string to_junit(const StudyResults& results) {
-  const WorkPrecision& study = results.study.result;
-  std::vector<JunitSuite> all = suites_of(results.verdicts);
-  all.insert(all.begin(),
-             {"study",
-              {{fmt::format("work-precision of {}", counted(std::ssize(study.runs), "run", "runs")),
-                results.any_completed() ? VerdictStatus::passed : VerdictStatus::failed,
-                results.any_completed() ? "" : "no run completed", 0}}});
-  return junit_xml(study.title, all);
-}
-
-std::string to_summary(const StudyResults& results) {
-  const WorkPrecision& study = results.study.result;
-  std::string text = fmt::format("# Work and precision: {}\n\n{}\n\n", escape_markdown(study.title),
-                                 escape_markdown(headline(results)));
-  text += verdict_table(results.verdicts);
+StudyReport evaluate_study(const Study& study, const Stages& stages) {
+  const WorkPrecision& result = study.result;
+  StudyReport report{study.loaded, "speed against accuracy", result.provenance, study_verdicts(result),
+                     stages};
+  report.complete = std::any_of(result.runs.begin(), result.runs.end(),
+                                [](const StudyRun& run) { return run.completed(); });
+  const std::string runs = counted(std::ssize(result.runs), "run", "runs");
+  const std::string failures = failures_in_words(result);
+  report.headline =
+      fmt::format("{} of {} on {}{}{}. {}", runs, counted(std::ssize(result.curves), "curve", "curves"),
+                  counted(std::ssize(result.mesh_references), "mesh", "meshes"), failures.empty() ? "" : ": ",
+                  failures, met_in_words(report.verdicts));
+  report.results["work_precision"] = work_precision_json(result);
+  report.suites.insert(
+      report.suites.begin(),
+      {"study",
+       {{"work-precision of " + runs, report.complete ? VerdictStatus::passed : VerdictStatus::failed,
+         report.complete ? "" : "no run completed"}}});
   append_cheapest(
-      text,
-      fmt::format("Cheapest time integration of {}", counted(study.fixed_elements, "element", "elements")),
-      study.time_cheapest);
-  append_cheapest(text, "Cheapest method and mesh against the converged solution", study.total_cheapest);
-  return text;
+      report.after,
+      fmt::format("Cheapest time integration of {}", counted(result.fixed_elements, "element", "elements")),
+      result.time_cheapest);
+  append_cheapest(report.after, "Cheapest method and mesh against the converged solution",
+                  result.total_cheapest);
+  return report;
 }
 
 }  // namespace plumb

@@ -4,19 +4,9 @@
 #include <vector>
 
 #include "engine/study/work_precision/work_precision_file.h"
-#include "report/base/stages.h"
-#include "report/verdict/verdict.h"
+#include "report/study/study_report.h"
 
 namespace plumb {
-
-/// Everything the report of a study says, apart from how it looks.
-struct StudyResults {
-  const Study& study;
-  std::vector<Verdict> verdicts;
-  Stages stages;  ///< those before the report itself
-
-  bool any_completed() const;
-};
 
 /// An observed order may differ by this much from the stated one.
 inline constexpr double order_tolerance = 0.3;
@@ -26,18 +16,11 @@ inline constexpr double order_tolerance = 0.3;
 /// that order seen.
 std::vector<Verdict> study_verdicts(const WorkPrecision& study);
 
-StudyResults evaluate_study(const Study& study, const Stages& stages);
-
-/// The study in one sentence: how many runs, and the cheapest way to the smallest error.
-std::string headline(const StudyResults& results);
+/// What its report says: how many runs there are, the verdicts, and the cheapest ways to each error.
+StudyReport evaluate_study(const Study& study, const Stages& stages);
 
 /// "3 out-of-time, 2 unstable": the runs that did not complete, by reason, and those that are stable but
 /// wrong; empty where there are none.
 std::string failures_in_words(const WorkPrecision& study);
-
-/// results.json, junit.xml and summary.md of a study.
-std::string to_json(const StudyResults& results);
-std::string to_junit(const StudyResults& results);
-std::string to_summary(const StudyResults& results);
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "report/page/reproduce.h"
+#include "report/study/work_precision/work_precision_page.h"
 #include "tests/report/made_run.h"
 
 namespace plumb {
@@ -88,7 +89,7 @@ TEST(Conclusion, SaysHowFarTheMeshIsFromTheFinestWhereThatIsKnown) {
   const auto sentence = [&](const Document& distance) {
     document["work_precision"] = {{"end", 1.0}, {"mesh", {{"elements", {1, 2}}}}};
     document["work_precision"]["mesh"]["distance"] = Document::array({distance, nullptr});
-    return conclusion_of(document).sentence;
+    return conclusion_of(document, mesh_clause(document)).sentence;
   };
   EXPECT_EQ(sentence(0.5), plain + "; the mesh itself is 0.5 m from that of 2 elements over 1 s.");
   EXPECT_EQ(sentence(0.0), plain + ".") << "that is no distance";

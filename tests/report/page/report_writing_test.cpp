@@ -452,7 +452,7 @@ TEST(Results, WhatTheCaseIsCalledBreaksNoFileOfTheReport) {
   document["solve"]["method"] = nasty;
   document["solve"]["message"] = nasty;
   document["energy"]["drift_in_words"] = nasty;
-  const std::string index = index_junit({{nasty, document}});
+  const std::string index = junit_xml("Plumb", index_suites({{nasty, document}}));
   for (const std::string& xml : {to_junit(document), index}) {
     for (const char32_t point : points_of(xml)) {
       EXPECT_FALSE(point < 0x20 && point != '\n') << static_cast<unsigned>(point);

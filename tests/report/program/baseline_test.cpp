@@ -7,6 +7,7 @@
 
 #include "engine/base/errors.h"
 #include "render/image/png.h"
+#include "report/diff/picture_moves.h"
 #include "report/document/regression.h"
 #include "tests/report/made_run.h"
 #include "tests/report/program/program.h"

@@ -1,5 +1,3 @@
-#include "report/study/stability/stability_page.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +5,7 @@
 
 #include "report/figure/outcome_style.h"
 #include "report/study/stability/stability_figures.h"
+#include "report/study/stability/stability_results.h"
 #include "tests/report/study/stability/made_stability.h"
 
 namespace plumb {
@@ -21,8 +20,9 @@ std::vector<Picture> pictures(const Stability& study) {
 }
 
 std::string page_of(const Stability& study) {
-  const StabilityStudyFile file{tiny_stability_case(), study};
-  return to_stability_page(evaluate_stability(file, {}), pictures(study));
+  StabilityStudyFile file{tiny_stability_case(), study};
+  file.loaded.spec.title = study.title;
+  return to_page(evaluate_stability(file, {}), shown_stability(study, pictures(study)));
 }
 
 std::size_t count(const std::string& text, const std::string& what) {

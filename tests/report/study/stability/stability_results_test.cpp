@@ -57,9 +57,9 @@ TEST(StabilityResults, AReferenceMustBeKnownAsLongAsRunsAreJudgedByIt) {
 
 TEST(StabilityResults, JsonJunitAndSummarySayTheSame) {
   StabilityStudyFile file = made_stability_file();
-  file.result.title = "Made <b>";
-  const StabilityResults results = evaluate_stability(file, {});
-  const auto json = nlohmann::json::parse(to_json(results));
+  file.loaded.spec.title = "Made <b>";
+  const StudyReport results = evaluate_stability(file, {});
+  const auto json = content_of(results).document;
   EXPECT_TRUE(json["all_criteria_met"].get<bool>()) << json["verdicts"];
   EXPECT_EQ(json["stability"]["maps"].size(), 6U);
   EXPECT_EQ(json["stability"]["maps"][0]["points"][2]["outcome"], "unstable");
@@ -68,7 +68,8 @@ TEST(StabilityResults, JsonJunitAndSummarySayTheSame) {
       json["headline"],
       "96 points in 6 maps: 12 accurate, 12 inaccurate, 12 unstable, 12 diverged, 12 no-convergence, 12 "
       "singular, 12 unstable-equilibrium, 12 out-of-time. 4 of 4 criteria met.");
-  const std::string junit = to_junit(results), summary = to_summary(results);
+  const std::string junit = report_formats()[1].text(content_of(results)),
+                    summary = content_of(results).summary;
   EXPECT_NE(junit.find("failures=\"0\""), junit.npos);
   EXPECT_EQ(junit.find("<b>"), junit.npos);
   EXPECT_EQ(summary.find("<b>"), summary.npos);
@@ -80,7 +81,7 @@ TEST(StabilityResults, ASummaryOfVeryManyMapsStaysShort) {
   StabilityStudyFile file = made_stability_file();
   for (int k = 0; k < 2000; ++k) file.result.maps.push_back(file.result.maps[1]);
   for (int k = 0; k < 2000; ++k) file.result.critical_steps.push_back(file.result.critical_steps[0]);
-  EXPECT_LT(to_summary(evaluate_stability(file, {})).size(), 64U * 1024);
+  EXPECT_LT(content_of(evaluate_stability(file, {})).summary.size(), 64U * 1024);
 }
 
 }  // namespace stability_results_test

@@ -1,3 +1,5 @@
+#include "report/study/sweep/sweep_results.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 
 #include "engine/study/sweep/run_sweep.h"
 #include "render/image/png.h"
-#include "report/study/sweep/sweep_report.h"
 #include "tests/engine/study/sweep/tiny_sweep.h"
 #include "tests/report/program/program.h"
 
@@ -50,7 +51,7 @@ constexpr VerdictStatus passed = VerdictStatus::passed, failed = VerdictStatus::
 TEST(SweepReport, SaysWhatNoneOfTheCasesDoes) {
   const Sweep sweep = made_sweep();
   EXPECT_EQ(statuses(sweep), (std::vector{passed, passed, passed, passed}));
-  EXPECT_EQ(headline(evaluate_sweep(sweep, {})),
+  EXPECT_EQ(evaluate_sweep(sweep, {}).headline,
             "4 random cases: none ends accurate beyond its tolerance, none crashes or hangs, none holds a "
             "number that is not finite, and each ends in one of seven outcomes. 4 of 4 criteria met.");
   for (const SweepRun& run : sweep.runs) EXPECT_EQ(trouble_of(run, sweep.spec.tolerance), "");
@@ -60,9 +61,9 @@ TEST(SweepReport, OneRunThatIsWronglyAccurateFailsIt) {
   Sweep sweep = made_sweep();
   sweep.runs[2].second_error = 1.5e-3;
   EXPECT_EQ(statuses(sweep), (std::vector{failed, passed, passed, passed}));
-  EXPECT_NE(headline(evaluate_sweep(sweep, {})).find("1 ends accurate beyond its tolerance"),
+  EXPECT_NE(evaluate_sweep(sweep, {}).headline.find("1 ends accurate beyond its tolerance"),
             std::string::npos)
-      << headline(evaluate_sweep(sweep, {}));
+      << evaluate_sweep(sweep, {}).headline;
   EXPECT_EQ(trouble_of(sweep.runs[2], 1e-3), "accurate with 1e-05 m, but 0.0015 m from the second reference");
 }
 
@@ -95,7 +96,7 @@ TEST(SweepReport, SharesAreOfAllAndOfEachMethod) {
   ASSERT_EQ(by_method.size(), 2U);
   EXPECT_EQ(by_method[0].first, "rk4");
   EXPECT_EQ(by_method[1].second, (OutcomeCounts{{Outcome::accurate, 1}}));
-  const Json json = Json::parse(to_json(evaluate_sweep(sweep, {})));
+  const Json json = content_of(evaluate_sweep(sweep, {})).document;
   EXPECT_EQ(json["sweep"]["outcomes"]["accurate"]["share"], 0.5);
   EXPECT_EQ(json["sweep"]["methods"]["rk4"]["unstable"]["runs"], 1);
   EXPECT_EQ(json["sweep"]["runs"].size(), 4U);
@@ -109,7 +110,7 @@ TEST(SweepReport, SharesAreOfAllAndOfEachMethod) {
 
 TEST(SweepReport, PageNamesWhatIsWrongWithItsCommand) {
   Sweep sweep = made_sweep();
-  const std::string clean = to_sweep_page(evaluate_sweep(sweep, {}), {});
+  const std::string clean = to_page(evaluate_sweep(sweep, {}), shown_sweep(sweep, {}));
   EXPECT_EQ(clean.find("{{"), std::string::npos);
   EXPECT_EQ(clean.find("<script"), std::string::npos);
   EXPECT_EQ(clean.find("it <broke>"), std::string::npos);
@@ -120,19 +121,20 @@ TEST(SweepReport, PageNamesWhatIsWrongWithItsCommand) {
       "plumb solve tiny.toml --set 'cable.density=8000 / f^2' --set study.sweep.cases=4 --set "
       "method.name=rk4 --set supports.first=free";
   EXPECT_EQ(command_of(sweep, sweep.runs[3]), command);
-  const std::string page = to_sweep_page(evaluate_sweep(sweep, {}), {});
+  const std::string page = to_page(evaluate_sweep(sweep, {}), shown_sweep(sweep, {}));
   EXPECT_NE(page.find("hung: nothing for 60 s"), std::string::npos);
   EXPECT_NE(page.find("<strong>1 run:</strong>"), std::string::npos);
-  const std::string summary = to_summary(evaluate_sweep(sweep, {}));
+  const std::string summary = content_of(evaluate_sweep(sweep, {})).summary;
   EXPECT_NE(summary.find(command), std::string::npos) << summary;
-  EXPECT_NE(to_junit(evaluate_sweep(sweep, {})).find("failures=\"1\""), std::string::npos);
+  EXPECT_NE(report_formats()[1].text(content_of(evaluate_sweep(sweep, {}))).find("failures=\"1\""),
+            std::string::npos);
 }
 
 TEST(SweepReport, SummaryStaysBelowItsSizeHoweverMuchIsWrong) {
   Sweep sweep = made_sweep();
   sweep.runs.resize(3000, sweep.runs[1]);
   for (SweepRun& run : sweep.runs) run.fault = "crashed (signal 11)";
-  EXPECT_LT(to_summary(evaluate_sweep(sweep, {})).size(), 64U * 1024);
+  EXPECT_LT(content_of(evaluate_sweep(sweep, {})).summary.size(), 64U * 1024);
 }
 
 TEST(SweepProgram, StudyMakesItsFolderAndReportSaysTheSameAgain) {

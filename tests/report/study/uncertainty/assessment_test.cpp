@@ -34,22 +34,22 @@ TEST(UncertaintyJson, IsReadBackAsItWas) {
 }
 
 TEST(UncertaintySection, SaysEveryPartAndNeverANumberForOneThatIsNotEstimated) {
-  const std::string page = uncertainty_section(uncertainty_json(made_uncertainty()));
+  const std::string page = uncertainty_on_page().html(uncertainty_json(made_uncertainty()), {});
   expect_all_in(page, {"known: tip.y", ">-0.1<", ">0.003<", ">0.004<", ">≥ 0.005<", ">≥ 0.01<", "67 %",
                        "model error between 0.09 and 0.11 m, or in wider bounds", "by &lt;meshes&gt;",
                        "nobody knows", "not estimated", "no part", "standard deviation 25 %",
                        "a &lt;sheet&gt;", "4 samples were asked for; 3 have a result, 1 failed",
                        "cable.density = -1: refused", "other: tip.x: the run did not complete"});
   EXPECT_EQ(page.find(">0<"), std::string::npos) << page;
-  const std::string whole = uncertainty_section(uncertainty_json(made_uncertainty(PartState::no_part)));
+  const std::string whole =
+      uncertainty_on_page().html(uncertainty_json(made_uncertainty(PartState::no_part)), {});
   EXPECT_EQ(whole.find("≥"), std::string::npos) << "every part is known";
 }
 
 TEST(VerdictUncertainty, TheTextOfAVerdictSaysErrorUncertaintyAndWhatFollows) {
   const plumb::Run run = run_with("made");
-  Assessment assessment;
-  assessment.uncertainty = made_uncertainty();
-  const Results with = evaluate(run, {}, nullptr, &assessment), without = evaluate(run, {});
+  const Results with = evaluate(run, {}, {uncertainty_section(made_uncertainty(), run.loaded.spec)}),
+                without = evaluate(run, {});
   ASSERT_EQ(with.verdicts.size(), 1U);
   EXPECT_EQ(with.verdicts[0].message, without.verdicts[0].message +
                                           "; E = -0.1 m with u_val ≥ 0.005 m: model error between 0.09 and "
@@ -66,7 +66,7 @@ TEST(BudgetJson, IsReadBackAsItWas) {
 }
 
 TEST(BudgetSection, ShowsEveryItemAloneAndAllTogether) {
-  const std::string page = budget_section(budget_json(made_budget()), {});
+  const std::string page = budget_on_page().html(budget_json(made_budget()), {});
   expect_all_in(page,
                 {"repeats it to 2e-06 m", "gravity 0.004 m, step unstable at most; all together 0.012 m",
                  "strain (for information)", ">0.0015<", ">0.005<", "unstable: it grew", "every 0.001 s",
@@ -74,7 +74,7 @@ TEST(BudgetSection, ShowsEveryItemAloneAndAllTogether) {
   ErrorBudget none;
   none.reference = "known";
   none.left_out = "the reference is for another cable";
-  const std::string empty = budget_section(budget_json(none), {});
+  const std::string empty = budget_on_page().html(budget_json(none), {});
   expect_all_in(empty, {"No error budget of known: the reference is for another cable."});
   EXPECT_EQ(empty.find("<table"), std::string::npos);
 }

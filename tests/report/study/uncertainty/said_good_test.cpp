@@ -7,6 +7,7 @@
 #include "report/document/regression.h"
 #include "report/page/conclusion.h"
 #include "report/study/economy/economy_results.h"
+#include "report/study/economy/economy_section.h"
 #include "report/study/economy/economy_text.h"
 #include "report/study/stability/stability_results.h"
 #include "report/study/sweep/sweep_results.h"
@@ -93,7 +94,7 @@ std::string picture_error(double estimate, bool holds) {
 std::string without_choice(bool left) {
   plumb::Run run = run_with("a");
   if (left) run.provenance.emplace_back(left_to_scene, "");
-  return status_of(evaluate(run, {}).verdicts, "picture error");
+  return status_of(evaluate(run, {}, economy_sections(run, {})).verdicts, "picture error");
 }
 
 struct Need {
@@ -155,7 +156,7 @@ std::string budgeted(const Document& distance, const std::string& outcome = "com
   const Document run{{"outcome", outcome}, {"distances", distance}};
   const Document budget{{"reference", "book"},        {"left_out", ""}, {"series", Document::array()},
                         {"items", Document::array()}, {"base", run},    {"all_together", run}};
-  const std::string words = budget_in_words(budget);
+  const std::string words = budget_on_page().line(budget);
   const std::string before = "repeats it to ";
   const std::size_t at = words.find(before) + before.size();
   return words.substr(at, words.find(';') - at);

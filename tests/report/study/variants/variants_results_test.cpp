@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "report/study/variants/variants_figures.h"
-#include "report/study/variants/variants_page.h"
 #include "tests/report/made_run.h"
 
 namespace plumb {
@@ -40,7 +39,7 @@ TEST(VariantsResults, AFailureThatIsExpectedPassesAndOneThatIsNotFails) {
   const VariantsStudy study =
       study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.3),
                 made("0.3", Outcome::completed, 1.2)});
-  const VariantsResults results = evaluate_variants(study, {});
+  const StudyReport results = evaluate_variants(study, {});
   ASSERT_EQ(results.verdicts.size(), 3U);
   EXPECT_EQ(results.verdicts[0].status, VerdictStatus::passed) << results.verdicts[0].message;
   EXPECT_EQ(results.verdicts[1].status, VerdictStatus::failed) << "its figure is off";
@@ -48,14 +47,14 @@ TEST(VariantsResults, AFailureThatIsExpectedPassesAndOneThatIsNotFails) {
   EXPECT_EQ(results.verdicts[0].kind, VerdictKind::verification);
   EXPECT_NEAR(results.verdicts[0].value, 0.2, 1e-12);
   EXPECT_EQ(results.verdicts[0].criterion, "unstable; end-time = 1.200 ± 0.05 s");
-  EXPECT_EQ(headline(results), "3 variants: 1 completed, 2 unstable. Not as expected: \"0.2\", \"0.3\".");
+  EXPECT_EQ(results.headline, "3 variants: 1 completed, 2 unstable. Not as expected: \"0.2\", \"0.3\".");
 }
 
 TEST(VariantsResults, ANumberThatIsMissingFails) {
   VariantResult variant = made("0.1", Outcome::unstable, 1.2);
   variant.expectations[0].found = std::numeric_limits<double>::quiet_NaN();
   const VariantsStudy study = study_of({variant});
-  const VariantsResults results = evaluate_variants(study, {});
+  const StudyReport results = evaluate_variants(study, {});
   EXPECT_EQ(results.verdicts.at(0).status, VerdictStatus::failed);
   EXPECT_NE(results.verdicts[0].message.find("end-time = none"), std::string::npos);
 }
@@ -74,9 +73,9 @@ TEST(VariantsResults, WhatNothingIsExpectedOfHasNoVerdict) {
   variant.spec.expectations.clear();
   variant.expectations.clear();
   const VariantsStudy study = study_of({variant});
-  const VariantsResults results = evaluate_variants(study, {});
+  const StudyReport results = evaluate_variants(study, {});
   EXPECT_TRUE(results.verdicts.empty());
-  EXPECT_NE(headline(results).find("nothing is claimed"), std::string::npos);
+  EXPECT_NE(results.headline.find("nothing is claimed"), std::string::npos);
 }
 
 TEST(VariantsResults, NumbersHaveTheDigitsOfTheirMargin) {
@@ -90,7 +89,7 @@ TEST(VariantsResults, NumbersHaveTheDigitsOfTheirMargin) {
 TEST(VariantsResults, JunitHasATestCaseForEachWithWhatWasExpectedAndFound) {
   const VariantsStudy study =
       study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.3)});
-  const std::string xml = to_junit(evaluate_variants(study, {}));
+  const std::string xml = report_formats()[1].text(content_of(evaluate_variants(study, {})));
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("expected: unstable; end-time = 1.200 ± 0.05 s; found: unstable; end-time = 1.300 s"),
             std::string::npos)
@@ -99,7 +98,7 @@ TEST(VariantsResults, JunitHasATestCaseForEachWithWhatWasExpectedAndFound) {
 
 TEST(VariantsResults, JsonHasEveryFigure) {
   const VariantsStudy study = study_of({made("0.1", Outcome::unstable, 1.21)});
-  const auto json = nlohmann::json::parse(to_json(evaluate_variants(study, {})));
+  const auto json = content_of(evaluate_variants(study, {})).document;
   EXPECT_EQ(json["all_criteria_met"], true);
   const auto& variant = json["variants"][0];
   EXPECT_EQ(variant["solve"]["outcome"], "unstable");
@@ -113,7 +112,8 @@ TEST(VariantsPage, ShowsEachVariantWithItsFiguresAndEscapesWhatTheySay) {
   variant.spec.reason = "<script>";
   const VariantsStudy study = study_of({variant});
   const std::string page =
-      to_variants_page(evaluate_variants(study, {}), {{"figures/a.png", "Energy", "Alt", false, "P"}});
+      to_page(evaluate_variants(study, {}),
+              shown_variants(study.result, {{"figures/a.png", "Energy", "Alt", false, "P"}}));
   for (const char* text : {"method.step=0.1", "it grew &lt;and&gt; grew", "a closed form", "±0.05",
                            "&lt;script&gt;", "data:image/png;base64,UA==", "1.21"})
     EXPECT_NE(page.find(text), std::string::npos) << text;

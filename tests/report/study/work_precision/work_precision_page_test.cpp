@@ -6,9 +6,11 @@
 #include <regex>
 
 #include "report/base/base64.h"
+#include "report/base/escape.h"
 #include "report/page/page.h"
 #include "report/study/work_precision/study_chart_data.h"
 #include "report/study/work_precision/work_precision_figures.h"
+#include "report/study/work_precision/work_precision_results.h"
 #include "report/verdict/results.h"
 #include "tests/report/study/work_precision/made_study.h"
 
@@ -24,8 +26,9 @@ std::vector<Picture> pictures(const WorkPrecision& study) {
 }
 
 std::string page_of(const WorkPrecision& result) {
-  const Study study{run_with("made").loaded, result};
-  return to_study_page(evaluate_study(study, {}), pictures(result));
+  Study study{run_with("made").loaded, result};
+  study.loaded.spec.title = result.title;
+  return to_page(evaluate_study(study, {}), shown_work_precision(result, pictures(result)));
 }
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -173,8 +176,10 @@ TEST(StudyPage, IsAPartOfThePageOfARun) {
   const plumb::Run run = run_with("a");
   const Study study = made_study_of_a_case();
   Pictures drawn;
-  drawn.study = pictures(study.result);
-  const std::string page = to_page(document_of(evaluate(run, {}, &study), drawn), drawn);
+  const std::vector<RunSection> sections{work_precision_section(study.result)};
+  drawn.sections[sections[0].figures_key] = pictures(study.result);
+  const std::vector<PageSection> shown{work_precision_on_page()};
+  const std::string page = to_page(document_of(evaluate(run, {}, sections), drawn), drawn, shown);
   EXPECT_EQ(count(page, "class=\"study-chart\""), 2U);
   EXPECT_EQ(count(page, "id=\"study-data\""), 1U);
   EXPECT_NE(page.find("script-src 'sha256-"), page.npos);

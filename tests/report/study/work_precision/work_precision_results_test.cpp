@@ -13,7 +13,7 @@ namespace study_results_test {
 Study made_study() {
   Study study{tiny_study_case(), {}};
   WorkPrecision& result = study.result;
-  result.title = "Made <b>";
+  study.loaded.spec.title = "Made <b>";
   result.fixed_elements = 2;
   result.end = 1;
   result.length = 1;
@@ -122,8 +122,8 @@ TEST(StudyResults, AReferenceThatIsNotCertifiedFailsAndSaysItsFloor) {
 TEST(StudyResults, JsonJunitAndSummarySayTheSame) {
   Study study = made_study();
   evaluate(study.result);
-  const StudyResults results = evaluate_study(study, {});
-  const auto json = nlohmann::json::parse(to_json(results));
+  const StudyReport results = evaluate_study(study, {});
+  const auto json = content_of(results).document;
   const auto& part = json["work_precision"];
   EXPECT_EQ(part["runs"].size(), 4U);
   EXPECT_EQ(part["runs"][3]["outcome"], "out-of-time");
@@ -131,11 +131,11 @@ TEST(StudyResults, JsonJunitAndSummarySayTheSame) {
   EXPECT_EQ(part["time_front"], (std::vector<int>{0, 1, 2}));
   EXPECT_TRUE(json["all_criteria_met"].get<bool>()) << json["verdicts"];
   EXPECT_NE(json["headline"].get<std::string>().find("1 out-of-time"), std::string::npos) << json["headline"];
-  const std::string summary = to_summary(results);
+  const std::string summary = content_of(results).summary;
   EXPECT_NE(summary.find("below 1e-3 m: rk4 with 2 elements"), std::string::npos) << summary;
   EXPECT_EQ(summary.find("<b>"), std::string::npos);
   EXPECT_LT(summary.size(), 64U * 1024);
-  const std::string junit = to_junit(results);
+  const std::string junit = report_formats()[1].text(content_of(results));
   EXPECT_NE(junit.find("failures=\"0\""), std::string::npos) << junit;
   EXPECT_EQ(junit.find("<b>"), std::string::npos);
 }
