@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace plumb {
 
@@ -69,6 +70,12 @@ double Trajectory::relative_energy_drift() const {
   if (!energies.empty() && drift == 0) return 0;
   const double relative = drift / scale;
   return scale > 0 && std::isfinite(relative) ? relative : -1;
+}
+
+Outcome outcome_named(const std::string& name) {
+  for (const Outcome outcome : outcomes())
+    if (word(outcome) == name) return outcome;
+  throw std::runtime_error("the outcome '" + name + "' is unknown");
 }
 
 }  // namespace plumb

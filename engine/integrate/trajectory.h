@@ -25,7 +25,11 @@ enum class Outcome {
 
 /// Every outcome, in the order above.
 std::span<const Outcome> outcomes();
-inline std::span<const Outcome> enum_values(Outcome) { return outcomes(); }
+inline std::span<const Outcome> enum_values(Outcome) {
+  return outcomes();
+}
+/// The outcome of that word. Throws std::runtime_error for another one.
+Outcome outcome_named(const std::string& name);
 
 /// "not-run", "completed", "accurate", "inaccurate", "unstable", "diverged", "no-convergence", "singular",
 /// "unstable-equilibrium", "out-of-time".

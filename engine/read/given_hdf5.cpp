@@ -8,8 +8,9 @@
 #include "engine/base/errors.h"
 #include "engine/base/hdf5.h"
 #include "engine/base/message.h"
+#include "engine/integrate/trajectory.h"
 #include "engine/read/given_table.h"
-#include "engine/run/stored_parts.h"
+#include "engine/read/stored_source.h"
 
 namespace plumb {
 namespace {
@@ -68,7 +69,7 @@ class Hdf5Table final : public GivenTable {
     for (const std::string group : {"", "given/"}) {
       if (!reader_->has(group + "outcome")) continue;
       ending_ = {reader_->text(group + "outcome"), one_line(reader_->text(group + "message"))};
-      stored_outcome(ending_.outcome);
+      outcome_named(ending_.outcome);
     }
     if (reader_->has("outcome"))
       own_case_ = std::make_shared<const Case>(load_changed(read_source(*reader_), {}).spec);

@@ -8,12 +8,12 @@
 #include "engine/integrate/method_info.h"
 #include "engine/read/case_sections.h"
 #include "engine/read/changed_case.h"
+#include "engine/read/given_probes.h"
 #include "engine/read/method_keys.h"
 #include "engine/read/model_keys.h"
 #include "engine/read/override.h"
 #include "engine/read/parameters.h"
 #include "engine/read/table_reader.h"
-#include "engine/run/given_probes.h"
 
 namespace plumb {
 namespace {

@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/time_interpolation.h"
 #include "engine/model/hermite.h"
-#include "engine/run/time_interpolation.h"
 
 namespace plumb {
 namespace {

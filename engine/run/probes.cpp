@@ -56,12 +56,6 @@ void add_row(const Case& spec, const Cable& cable, double t, const Eigen::Vector
 
 }  // namespace
 
-const Column* ProbeTable::find(std::string_view name) const {
-  for (const Column& column : columns)
-    if (column.name == name) return &column;
-  return nullptr;
-}
-
 ProbeTable probe(const Case& spec, const Trajectory& trajectory) {
   const Cable cable(spec);
   ProbeTable table = empty_table(spec);

@@ -1,29 +1,13 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "engine/case/case.h"
+#include "engine/case/probe_table.h"
 #include "engine/integrate/trajectory.h"
 
 namespace plumb {
-
-/// One scalar over the output times.
-struct Column {
-  std::string name;  ///< "tip.x"
-  std::string unit;  ///< "m"
-  std::vector<double> values;
-};
-
-/// What the probes of a case saw: one column for each scalar, one value for each output time.
-struct ProbeTable {
-  std::vector<double> times;  ///< s
-  std::vector<Column> columns;
-
-  /// The column of that name, or nullptr.
-  const Column* find(std::string_view name) const;
-};
 
 /// Reads the probes of a case off a trajectory at its outputs.
 ProbeTable probe(const Case& spec, const Trajectory& trajectory);

@@ -12,7 +12,8 @@
 #include "engine/base/hdf5.h"
 #include "engine/base/message.h"
 #include "engine/model/support_constraints.h"
-#include "engine/run/given_probes.h"
+#include "engine/read/given_probes.h"
+#include "engine/read/stored_source.h"
 #include "engine/run/stored_parts.h"
 
 namespace plumb {
@@ -113,7 +114,7 @@ void check(const Trajectory& trajectory) {
 
 Trajectory read_trajectory(const hdf5::Reader& file) {
   Trajectory result;
-  result.outcome = stored_outcome(file.text("outcome"));
+  result.outcome = outcome_named(file.text("outcome"));
   result.message = one_line(file.text("message"));
   const long elements = file.integer("elements");
   if (elements < 1 || elements > most_elements_of_a_cable)

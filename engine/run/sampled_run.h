@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/run/given_probes.h"
-#include "engine/run/known_time.h"
+#include "engine/base/known_time.h"
+#include "engine/read/given_probes.h"
 
 namespace plumb {
 

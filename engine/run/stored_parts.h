@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/base/hdf5.h"
-#include "engine/case/case_source.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/run/provenance.h"
 
@@ -24,16 +23,10 @@ void members(Archive& a, Counters& counters) {
   for (const auto& [name, part] : stored_counters()) a(name, counters.*part);
 }
 
-/// The outcome of that word. Throws std::runtime_error for another one.
-Outcome stored_outcome(const std::string& name);
-
 /// The name and version of a file's layout: "plumb-run", 1. `read_format` throws std::runtime_error for
 /// another `kind` of file ("run file") and for a version beyond what this program reads.
 void write_format(std::string_view name, long version, hdf5::Writer& file);
 void read_format(const hdf5::Reader& file, std::string_view name, long version, std::string_view kind);
-
-void write_source(const CaseSource& source, hdf5::Writer& file);
-CaseSource read_source(const hdf5::Reader& file);
 
 void write_provenance(const Provenance& provenance, hdf5::Writer& file);
 Provenance read_provenance(const hdf5::Reader& file);

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/run/time_interpolation.h"
+#include "engine/base/time_interpolation.h"
 #include "report/document/case_json.h"
 
 namespace plumb {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/run/known_time.h"
+#include "engine/base/known_time.h"
 #include "render/gl/markup.h"
 #include "report/figure/ending_mark.h"
 #include "report/figure/field_figures.h"

@@ -8,7 +8,7 @@
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
 #include "engine/integrate/integrate.h"
-#include "engine/run/given_probes.h"
+#include "engine/read/given_probes.h"
 #include "engine/run/run_file.h"
 #include "report/document/given_json.h"
 #include "report/page/page.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/run/given_probes.h"
+#include "engine/read/given_probes.h"
 #include "report/verdict/series_error.h"
 
 namespace plumb {

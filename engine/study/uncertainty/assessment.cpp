@@ -11,7 +11,7 @@
 #include "engine/base/json_numbers.h"
 #include "engine/base/parse_json.h"
 #include "engine/base/place.h"
-#include "engine/run/known_time.h"
+#include "engine/base/known_time.h"
 #include "engine/study/uncertainty/budget_json.h"
 #include "engine/study/uncertainty/uncertainty_json.h"
 

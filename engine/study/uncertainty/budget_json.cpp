@@ -34,7 +34,7 @@ Json run_json(const BudgetRun& run, const std::vector<BudgetSeries>& series) {
 BudgetRun run_from_json(const Json& json, const std::vector<BudgetSeries>& series) {
   BudgetRun run;
   run.overrides = json.at("overrides").get<std::vector<std::string>>();
-  run.outcome = stored_outcome(json.at("outcome").get<std::string>());
+  run.outcome = outcome_named(json.at("outcome").get<std::string>());
   run.message = json.at("message").get<std::string>();
   run.method = json.at("method").get<std::string>();
   run.elements = json.at("elements").get<int>();

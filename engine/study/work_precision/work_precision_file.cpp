@@ -12,6 +12,7 @@
 #include "engine/base/hdf5.h"
 #include "engine/base/message.h"
 #include "engine/model/greatest_eigenfrequency.h"
+#include "engine/read/stored_source.h"
 #include "engine/run/stored_parts.h"
 #include "engine/study/work_precision/run_work_precision.h"
 
@@ -209,7 +210,7 @@ std::vector<StudyRun> read_runs(const hdf5::Reader& file) {
   const auto outcome = columns.texts("runs/outcome"), message = columns.texts("runs/message");
   for (std::size_t k = 0; k < runs.size(); ++k) {
     runs[k].elements = elements_of(elements[k], "runs/elements");
-    runs[k].outcome = stored_outcome(outcome[k]);
+    runs[k].outcome = outcome_named(outcome[k]);
     runs[k].message = one_line(message[k]);
   }
   for (const auto& [name, part] : stored_counters()) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/errors.h"
-#include "engine/run/given_probes.h"
+#include "engine/read/given_probes.h"
 #include "engine/run/run_file.h"
 #include "report/document/document.h"
 #include "report/program/run_pipeline.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/run/given_probes.h"
+#include "engine/read/given_probes.h"
 #include "engine/run/run_file.h"
 #include "report/document/document.h"
 #include "report/page/page.h"

@@ -1,4 +1,4 @@
-#include "engine/run/given_probes.h"
+#include "engine/read/given_probes.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/run/known_time.h"
-#include "engine/run/stored_parts.h"
-#include "engine/run/time_interpolation.h"
+#include "engine/base/known_time.h"
+#include "engine/base/time_interpolation.h"
 
 namespace plumb {
 namespace {
@@ -107,17 +106,6 @@ bool same_run(const ProbeTable& a, const ProbeTable& b) {
     moves = moves || varies(column.values);
   }
   return moves;
-}
-
-Run reported_run(LoadedCase loaded, Provenance provenance) {
-  const GivenRun& given = loaded.given_runs.at(0);
-  Trajectory trajectory;
-  trajectory.outcome = given.ending.failed() ? stored_outcome(given.ending.outcome) : Outcome::completed;
-  if (given.ending.failed()) trajectory.message = given.ending.message;
-  trajectory.times = given.times;
-  trajectory.end_time = given.times.back();
-  ProbeTable probes = probe(given);
-  return {std::move(loaded), std::move(trajectory), std::move(probes), std::move(provenance)};
 }
 
 }  // namespace plumb

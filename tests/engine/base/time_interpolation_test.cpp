@@ -1,4 +1,4 @@
-#include "engine/run/time_interpolation.h"
+#include "engine/base/time_interpolation.h"
 
 #include <gtest/gtest.h>
 

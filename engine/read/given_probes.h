@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/case/given_run.h"
-#include "engine/run/run.h"
+#include "engine/case/probe_table.h"
 
 namespace plumb {
 
@@ -21,9 +21,5 @@ ProbeTable probe_without(const GivenRun& given, const std::vector<std::size_t>& 
 /// True for two tables of one run: the times of one are among those of the other, and there all columns of
 /// both have the same values, at least one of which varies; all but for the rounding of a unit.
 bool same_run(const ProbeTable& a, const ProbeTable& b);
-
-/// The first given run of a case without [method] as the run that is reported: ended as its file says, or
-/// completed where that says nothing, with neither states nor energies nor counters.
-Run reported_run(LoadedCase loaded, Provenance provenance);
 
 }  // namespace plumb

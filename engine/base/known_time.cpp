@@ -1,4 +1,4 @@
-#include "engine/run/known_time.h"
+#include "engine/base/known_time.h"
 
 #include <algorithm>
 #include <cmath>
