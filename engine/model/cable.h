@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "engine/case/case.h"
-#include "engine/integrate/trajectory.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"
 #include "engine/model/chain.h"
 #include "engine/model/element.h"
+#include "engine/model/energies.h"
 #include "engine/model/mass.h"
 #include "engine/model/supports.h"
 
