@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/integrate/methods/fixed_steps.h"
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/model/cable.h"
 #include "engine/model/compression_limit.h"
@@ -228,11 +228,9 @@ MethodEntry statics_entry() {
   info.implicit = true;
   info.dynamic = false;
   info.takes_step = true;
+  info.cost = {3000, 8000};
   info.parameters = newton_parameters();
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Statics>(spec, dynamics, start);
-          }};
+  return {info, made<Statics>};
 }
 
 }  // namespace plumb

@@ -140,6 +140,7 @@ std::string to_economy_page(const EconomyResults& results, const std::vector<Pic
   const EconomyStudy& study = results.study;
   data section;
   section["reference"] = study.reference;
+  section["safe_default"] = in_words(safe_rung(study.loaded.spec));
   section["safe"] = fmt::format("{:.3g}", study.safe_seconds);
   section["safe_end"] = fmt::format("{:.3g}", study.safe_end);
   section["safe_whole"] = study.safe_end >= study.loaded.spec.time.end;
