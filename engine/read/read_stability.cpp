@@ -7,7 +7,6 @@
 #include "engine/integrate/method_info.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/read/case_sections.h"
-#include "engine/read/stability_of.h"
 
 namespace plumb {
 namespace {

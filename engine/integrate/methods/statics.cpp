@@ -20,7 +20,7 @@ constexpr double most_overshoot = 10;
 /// A correction this many lengths of the cable long is one by the round-off of a singular matrix.
 constexpr double singular_correction = 1e10;
 
-/// Equilibrium under a load, gravity and the force on the last end, that grows in proportion to time and is
+/// Equilibrium under a load, all of the case together, that grows in proportion to time and is
 /// whole at the end of the run; each step is one load step:
 ///   f_ext t/T − ∂U/∂q = 0,  by Newton's iteration  K dq = f_ext t/T − ∂U/∂q.
 /// A correction is halved until the next one, with the same matrix, is the smaller (the natural monotonicity

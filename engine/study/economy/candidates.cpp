@@ -7,7 +7,9 @@
 #include <cstdlib>
 
 #include "engine/integrate/method_roles.h"
+#include "engine/model/load.h"
 #include "engine/model/straight_frequency.h"
+#include "engine/model/supports.h"
 
 namespace plumb {
 namespace {
@@ -65,16 +67,16 @@ CableSpec meshed(const Case& spec, int elements) {
 
 bool has_rigid_rod(const Case& spec) {
   const ColorField field = spec.scene.color_by;
-  return spec.supports.first == Support::pinned && spec.supports.last == Support::free &&
-         spec.start.slope_rates == SlopeRates::rigid && spec.start.axial_speed == 0 &&
-         (field == ColorField::none || field == ColorField::speed) &&
+  const Hold first = hold_of(spec.supports.first), last = hold_of(spec.supports.last);
+  return first.position && !first.direction && last.none() && spec.start.slope_rates == SlopeRates::rigid &&
+         spec.start.axial_speed == 0 && (field == ColorField::none || field == ColorField::speed) &&
          std::all_of(spec.probes.begin(), spec.probes.end(),
                      [](const ProbeSpec& probe) { return is_vector(probe.quantity); });
 }
 
 /// A chain has no bending to show.
 bool has_chain(const Case& spec) {
-  return spec.supports.first != Support::clamped && spec.supports.last != Support::clamped &&
+  return !hold_of(spec.supports.first).direction && !hold_of(spec.supports.last).direction &&
          spec.start.slope_rates == SlopeRates::rigid && spec.scene.color_by != ColorField::curvature &&
          spec.scene.color_by != ColorField::bending_moment;
 }
@@ -86,9 +88,15 @@ Rung rigid_rung(const Case& spec) {
   cable.second_moment = 0;
   cable.quadrature = QuadratureRule::full;
   cable.strain = StrainModel::green_geometric;
+  Case rod = spec;
+  rod.cable = cable;
+  const LoadSum loads(loads_of(rod));
   const double mass = cable.density * cable.area * cable.length;
-  const double pull = 1.5 * spec.loads.gravity.norm() / cable.length +
-                      3 * spec.loads.end_force.norm() / (mass * cable.length);
+  double pull = 1.5 * loads.per_mass().norm() / cable.length;
+  for (const NodeForce& on : loads.on_nodes()) {
+    const Vec3 force(on.force), moment(on.force + 3);
+    pull += 3 * (force.norm() * on.node + moment.norm() / cable.length) / (mass * cable.length);
+  }
   const double fastest = std::sqrt(spec.start.angular_velocity.squaredNorm() + 4 * pull);
   const double longest = scene_output_interval(spec);
   Rung rung{cable, with_step(rigid_rod_method(),
