@@ -10,11 +10,27 @@ namespace plumb {
 
 // Each method's own file defines its entry, NAME_entry(). A new one adds its line here, in the order in which
 // they are to be shown, and is then known to the case reader, the studies, `plumb doctor` and the report.
-#define PLUMB_METHODS(method)                                                                             \
-  method(velocity_verlet) method(rk4) method(runge_kutta_nystrom) method(arkode_erk)                      \
-      method(linearly_implicit_euler) method(implicit_euler) method(trapezoidal) method(hht)              \
-          method(generalized_alpha) method(implicit_midpoint) method(energy_momentum) method(arkode_dirk) \
-              method(gauss) method(bdf) method(cvode_adams) method(cvode_bdf) method(ida) method(statics)
+// clang-format off
+#define PLUMB_METHODS(method)      \
+  method(velocity_verlet)          \
+  method(rk4)                      \
+  method(runge_kutta_nystrom)      \
+  method(arkode_erk)               \
+  method(linearly_implicit_euler)  \
+  method(implicit_euler)           \
+  method(trapezoidal)              \
+  method(hht)                      \
+  method(generalized_alpha)        \
+  method(implicit_midpoint)        \
+  method(energy_momentum)          \
+  method(arkode_dirk)              \
+  method(gauss)                    \
+  method(bdf)                      \
+  method(cvode_adams)              \
+  method(cvode_bdf)                \
+  method(ida)                      \
+  method(statics)
+// clang-format on
 
 #define PLUMB_DECLARE(name) MethodEntry name##_entry();
 PLUMB_METHODS(PLUMB_DECLARE)
