@@ -104,6 +104,19 @@ struct LoadsSpec {
   friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
 };
 
+/// A key of [loads]: all that reading and showing it needs. What it does to the cable is said in
+/// model/load.cpp.
+struct LoadKey {
+  std::string_view name;
+  Vec3 LoadsSpec::*value;
+  std::string_view unit;
+  std::string_view meaning;  ///< "force on the last end"
+};
+inline constexpr std::array load_keys{
+    LoadKey{"gravity", &LoadsSpec::gravity, "m/s²", "gravity"},
+    LoadKey{"end_force", &LoadsSpec::end_force, "N", "force on the last end"},
+};
+
 /// The name of [method] that leaves model, mesh and method to what the scene needs. It is put in the place of
 /// a method before anything is integrated.
 inline constexpr std::string_view scene_method = "scene";

@@ -7,7 +7,7 @@
 
 #include "engine/case/case.h"
 #include "engine/integrate/linear_stability.h"
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"
 
@@ -101,10 +101,11 @@ class Adviser {
       return (*method_.step > longest ? "a step below " + seconds_below(longest) : half_the_step()) +
              ", or an implicit method";
     }
-    if (method_.name == "energy-momentum") return half_the_step();
+    if (info_.keeps_energy) return half_the_step();
     if (keeps_every_vibration(method_))
-      return "energy-momentum, generalized-alpha with a spectral_radius below 1, or " + half_the_step();
-    return half_the_step() + ", or energy-momentum";
+      return fmt::format("{}, {} with {}, or {}", energy_keeping().name, usual_implicit().name,
+                         usual_implicit().damps_with, half_the_step());
+    return half_the_step() + ", or " + energy_keeping().name;
   }
 
   std::string on_no_convergence() const {
@@ -117,7 +118,7 @@ class Adviser {
           text += fmt::format("newton_iterations of {:g} as by default, ", parameter.fallback);
       text += half_the_step();
       if (info_.takes_tolerances) text += ", rtol in the place of a step so that it can be cut";
-      if (method_.name != "energy-momentum") text += ", or energy-momentum";
+      if (!info_.keeps_energy) text += ", or " + energy_keeping().name;
       return text;
     }
     return fmt::format("looser tolerances than rtol = {:g} and atol = {:g}, more elements, or another method",

@@ -94,7 +94,7 @@ StageCorrection Dynamics::correct(const StageTerms& stage, double stiffness_fact
   counters.factorizations += renews ? 1 : 0;
   const StageCorrection result =
       best_kernels().correct(cable_.constants(), cable_.elements(), cable_.supports(),
-                             cable_.end_force().data(), stage, stiffness_factor, factors(), x.data());
+                             cable_.loads().on_nodes(), stage, stiffness_factor, factors(), x.data());
   if (renews) definite_ = result.singular < 0;
   if (result.unsound < 0 && !definite_) return correct_stepwise(stage, stiffness_factor, x);
   if (result.unsound < 0) ++counters.newton_iterations;

@@ -8,7 +8,6 @@
 
 #include "engine/base/interrupt.h"
 #include "engine/integrate/advice.h"
-#include "engine/integrate/methods/rigid_rod.h"
 #include "engine/integrate/monitor.h"
 #include "engine/integrate/processor_time.h"
 #include "engine/model/cable.h"
@@ -93,8 +92,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
-  const std::unique_ptr<Method> integrator =
-      cable.is_rigid() ? make_rigid_rod(method, dynamics, start) : make_method(method, dynamics, start);
+  const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
   StepResult last = monitor.check(start);
   // A start that is not even finite has nothing to show.
   if (last.outcome != Outcome::diverged) {

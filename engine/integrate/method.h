@@ -49,14 +49,25 @@ class Method {
   virtual long rejected_steps() const { return 0; }
 };
 
+/// Makes a method. `dynamics` must outlive it; `spec` holds all its parameters, checked.
+using MakeMethod = std::unique_ptr<Method> (*)(const MethodSpec& spec, Dynamics& dynamics,
+                                               const State& start);
+
+/// The MakeMethod of a class.
+template <class M>
+std::unique_ptr<Method> made(const MethodSpec& spec, Dynamics& dynamics, const State& start) {
+  return std::make_unique<M>(spec, dynamics, start);
+}
+
 /// A method's description and how to make it. Each method defines one of these in its own file.
 struct MethodEntry {
   MethodInfo info;
-  /// `dynamics` must outlive the method; `spec` holds all parameters of `info`, checked.
-  std::unique_ptr<Method> (*make)(const MethodSpec& spec, Dynamics& dynamics, const State& start);
+  MakeMethod make;
+  MakeMethod make_rigid = nullptr;  ///< for a rigid rod (CableModel::rigid), where the method takes one
 };
 
-/// Makes the method that `spec` names. Throws std::invalid_argument for an unknown name.
+/// Makes the method that `spec` names, for a rigid rod where the cable is one. Throws std::invalid_argument
+/// for an unknown name, and for a method that takes no rigid rod.
 std::unique_ptr<Method> make_method(const MethodSpec& spec, Dynamics& dynamics, const State& start);
 
 }  // namespace plumb

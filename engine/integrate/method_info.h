@@ -32,7 +32,29 @@ enum class MethodFamily {
 /// "explicit", "structural", "implicit stages", "multistep", "constrained", "static".
 std::string_view word(MethodFamily);
 
-/// What a method is and takes: the same words serve the case reader, `plumb doctor` and the report.
+/// A parameter of which studies draw one curve a value; the others keep their defaults.
+struct VariedParameter {
+  std::string name;   ///< empty: there is none
+  std::string label;  ///< of a value: "order {:g}"
+  std::vector<double> values;
+};
+
+/// What a run takes, measured and rounded up. Of a method that is not known, as much as the most that one
+/// does.
+struct MethodCost {
+  double bytes = 6600;         ///< a node
+  double nanoseconds = 10000;  ///< an element and step
+};
+
+/// Newton's matrix of a method with one implicit stage, S = mass M + stiffness h² K, without h.
+struct NewtonMatrix {
+  double mass = 1;       ///< pure number
+  double stiffness = 1;  ///< pure number
+  double point = 1;      ///< of the state within the step at which K is that of the solution, in (0, 1]
+};
+
+/// What a method is and takes: the same words serve the case reader, `plumb doctor` and the report, and
+/// studies know no more of it than this.
 struct MethodInfo {
   std::string name;       ///< as in the case file
   std::string summary;    ///< one line
@@ -51,6 +73,15 @@ struct MethodInfo {
   /// Of an implicit Runge-Kutta method: down to it the order is reduced where steps are long against the
   /// fastest vibration (Hairer and Wanner 1996, section IV.15). 0: of another kind.
   int stage_order = 0;
+  bool keeps_energy = false;  ///< that of every motion, whatever the step
+  /// With what it damps the vibrations that its steps are too long for: "a spectral_radius below 1".
+  std::string damps_with;
+  VariedParameter varied;
+  MethodCost cost;
+  /// What `amplification` (linear_stability.h) is at z > 0 with a fixed step; nullptr: not known.
+  double (*amplification)(const MethodSpec&, double z) = nullptr;
+  /// nullptr: it has no such matrix.
+  NewtonMatrix (*newton_matrix)(const MethodSpec&) = nullptr;
 };
 
 /// rtol where the case gives none.

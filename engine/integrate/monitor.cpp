@@ -59,7 +59,7 @@ Monitor::Monitor(const Cable& cable, const State& start, bool energy_bounded)
   first_energy_ = first.total();
   // A cable that is at rest without load has no energy at hand; round-off must not count as growth.
   const double round_off = 1e-12 * cable.element().axial_stiffness() * cable.length();
-  at_hand_ = first.kinetic + first.axial + first.bending + cable.load() * cable.length() + round_off;
+  at_hand_ = first.kinetic + first.axial + first.bending + cable.loads().size() * cable.length() + round_off;
 }
 
 StepResult Monitor::check(const State& state) const {

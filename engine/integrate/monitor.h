@@ -15,8 +15,8 @@ inline constexpr double energy_growth_limit = 0.5;
 class Monitor {
  public:
   /// `energy_bounded`: false for a load that grows, whose work the energy holds.
-  /// The energies at hand: first kinetic and strain energy, and what gravity and the end force
-  /// can release, (weight + force) × length.
+  /// The energies at hand: first kinetic and strain energy, and what the loads can release, their size ×
+  /// length.
   Monitor(const Cable& cable, const State& start, bool energy_bounded = true);
 
   /// `completed` if the state is finite, no slope has collapsed and the energy is within its bound, if it has

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/model/energies.h"
+
 namespace plumb {
 
 /// How an integration ended.
@@ -43,17 +45,6 @@ struct Counters {
   long tangent_evaluations = -1;
   long factorizations = -1;  ///< of the block banded matrix
   long newton_iterations = -1;
-};
-
-/// Energies at one time, J. Potential energy is that of gravity and of the end force, 0 at
-/// the origin.
-struct Energies {
-  double kinetic = 0;
-  double axial = 0;      ///< strain energy of stretching
-  double bending = 0;    ///< strain energy of bending
-  double potential = 0;  ///< of gravity and of the end force
-
-  double total() const { return kinetic + axial + bending + potential; }
 };
 
 /// What an integration gave, up to where it ended.

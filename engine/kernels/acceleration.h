@@ -10,9 +10,9 @@ namespace {
 /// as the solution comes back from the middle.
 template <bool green, bool full>
 int chain_acceleration(const ElementConstants& element, int elements, const MassFactors& mass,
-                       const double* end_force, const StageSums& sums, double* a) {
+                       const NodeForces& loads, const StageSums& sums, double* a) {
   const int unsound = chain_force<green, full>(element, elements, SummedNodes(sums.q, sums.before), a);
-  for (int k = 0; k < 3; ++k) a[per_node * elements + k] += end_force[k];
+  loads.add_to(a);
 
   const int last_node = elements, middle = (elements + 1) / 2;
   MassSweep sweep(elements + 1, mass, a);

@@ -46,17 +46,17 @@ int system_factors(const ElementConstants& element, double mass_factor, double s
 }
 
 StageCorrection correct(const ElementConstants& element, int elements, const HeldEnds& ends,
-                        const double* end_force, const StageTerms& stage, double stiffness_factor,
+                        const NodeForces& loads, const StageTerms& stage, double stiffness_factor,
                         double* factors, double* x) {
   const ElementConstants scaled = scaled_by(stage.mass, stiffness_factor, element);
   if (stiffness_factor != 0)
-    return PLUMB_CHOOSE(renewed_correction, element, scaled, elements, ends, end_force, stage, factors, x);
-  return PLUMB_CHOOSE(kept_correction, element, scaled, elements, ends, end_force, stage, factors, x);
+    return PLUMB_CHOOSE(renewed_correction, element, scaled, elements, ends, loads, stage, factors, x);
+  return PLUMB_CHOOSE(kept_correction, element, scaled, elements, ends, loads, stage, factors, x);
 }
 
 int acceleration(const ElementConstants& element, int elements, const MassFactors& mass,
-                 const double* end_force, const StageSums& sums, double* a) {
-  return PLUMB_CHOOSE(chain_acceleration, element, elements, mass, end_force, sums, a);
+                 const NodeForces& loads, const StageSums& sums, double* a) {
+  return PLUMB_CHOOSE(chain_acceleration, element, elements, mass, loads, sums, a);
 }
 
 void add_up(int nodes, Sums sums) {

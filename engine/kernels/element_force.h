@@ -5,7 +5,8 @@
 namespace plumb::kernels {
 namespace {
 
-/// Weight − ∂U/∂q of four elements, and whether the slope is above its floor at every integration point.
+/// The force on all mass − ∂U/∂q of four elements, and whether the slope is above its floor at every
+/// integration point.
 struct Forces {
   Lanes3 r0, g0, r1, g1;
   Mask sound;
@@ -52,10 +53,10 @@ PLUMB_INLINE Forces element_force(const ElementConstants& c, const Nodes& nodes)
   const Lanes3 du = t.m2 * s.e + t.m3 * s.o + t.m4 * s.u + cross(b, s.e) + cross(m, s.o);
 
   const Lanes3 pull = (1.5 / c.length) * (de - du), even = 0.25 * de - 0.75 * du, odd = 0.5 * dd;
-  // ∫ ρA sᵢ dx: half of the weight at either end, and ± a twelfth times l for the slopes.
+  // ∫ ρA sᵢ dx: half of the mass at either end, and ± a twelfth times l for the slopes.
   const double half = 0.5 * c.mass_per_length * c.length, twelfth = half * c.length / 6;
-  const Lanes3 weight{all(half * c.gravity[0]), all(half * c.gravity[1]), all(half * c.gravity[2])};
-  const Lanes3 turn{all(twelfth * c.gravity[0]), all(twelfth * c.gravity[1]), all(twelfth * c.gravity[2])};
+  const Lanes3 weight{all(half * c.per_mass[0]), all(half * c.per_mass[1]), all(half * c.per_mass[2])};
+  const Lanes3 turn{all(twelfth * c.per_mass[0]), all(twelfth * c.per_mass[1]), all(twelfth * c.per_mass[2])};
   return {weight + pull, even + odd + turn, weight - pull, even - odd - turn, sound};
 }
 

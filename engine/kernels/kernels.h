@@ -13,14 +13,14 @@ inline constexpr double slope_floor = 1e-3;
 
 /// What the elements of a chain have in common.
 struct ElementConstants {
-  double axial_stiffness = 0;     ///< EA, N, ≥ 0
-  double bending_stiffness = 0;   ///< EI, N m², ≥ 0
-  double length = 0;              ///< l, m, > 0
-  double mass_per_length = 0;     ///< ρA, kg/m, ≥ 0
-  double gravity[3] = {0, 0, 0};  ///< m/s²
-  bool green = true;              ///< green-geometric, else engineering-material
-  bool full = true;               ///< full quadrature, else reduced
-  bool lumped = false;            ///< half of the mass at either end, else consistent; not read by `force`
+  double axial_stiffness = 0;      ///< EA, N, ≥ 0
+  double bending_stiffness = 0;    ///< EI, N m², ≥ 0
+  double length = 0;               ///< l, m, > 0
+  double mass_per_length = 0;      ///< ρA, kg/m, ≥ 0
+  double per_mass[3] = {0, 0, 0};  ///< force on each unit of mass, N/kg
+  bool green = true;               ///< green-geometric, else engineering-material
+  bool full = true;                ///< full quadrature, else reduced
+  bool lumped = false;             ///< half of the mass at either end, else consistent; not read by `force`
 };
 
 /// A node's part in the L D Lᵀ of the scalar mass matrix: the 2 by 2 multipliers of (r, g) of the node in the
@@ -57,6 +57,27 @@ class HeldEnds {
   ~HeldEnds() = default;
 };
 
+/// A constant force on one node.
+struct NodeForce {
+  int node;
+  double force[6];  ///< on r (N) and on r' (N m)
+};
+
+/// At most one a node, in the order of nodes.
+struct NodeForces {
+  const NodeForce* first = nullptr;
+  int count = 0;
+
+  PLUMB_ALWAYS_INLINE const NodeForce* begin() const { return first; }
+  PLUMB_ALWAYS_INLINE const NodeForce* end() const { return first + count; }
+
+  /// Adds them to forces, six numbers a node.
+  PLUMB_ALWAYS_INLINE void add_to(double* forces) const {
+    for (const NodeForce& on : *this)
+      for (int k = 0; k < 6; ++k) forces[6 * on.node + k] += on.force[k];
+  }
+};
+
 /// factor · numbers, one array of a chain.
 struct Scaled {
   double factor = 0;
@@ -64,7 +85,7 @@ struct Scaled {
 };
 
 /// An implicit stage for accelerations x, of which `from` is an estimate:
-///   mass M (x + before) = force (f(base + reach x) + end force on the last node) + known.
+///   mass M (x + before) = force (f(base + reach x) + forces on nodes) + known.
 struct StageTerms {
   Sum base;                    ///< m and 1; at most Sum::most − 1 terms
   double reach = 0;            ///< s²
@@ -110,15 +131,16 @@ inline constexpr int factor_size = 64;
 struct Kernels {
   std::string_view instruction_set;  ///< "plain", "x86-64-v3"
 
-  /// f := weight − ∂U/∂q of all elements. Returns the first element with a slope at or below slope_floor, or
-  /// not a number, at an integration point, where the force is not to be used; -1 if all is well.
+  /// f := ∫ ρA s per_mass dx − ∂U/∂q of all elements. Returns the first element with a slope at or below
+  /// slope_floor, or not a number, at an integration point, where the force is not to be used; -1 if all is
+  /// well.
   int (*force)(const ElementConstants& element, int elements, const double* q, double* f);
 
-  /// a := M⁻¹ (f(q) + end_force on the last node) with the factors of M, and the sums. All is done to a node
+  /// a := M⁻¹ (f(q) + loads) with the factors of M, and the sums. All is done to a node
   /// while it is at hand, so that on long chains each array is read once, and most of that while forces are
   /// computed. Returns what `force` does.
   int (*acceleration)(const ElementConstants& element, int elements, const MassFactors& mass,
-                      const double* end_force, const StageSums& sums, double* a);
+                      const NodeForces& loads, const StageSums& sums, double* a);
 
   /// Strain energies of stretching and bending of all elements, J.
   void (*energy)(const ElementConstants& element, int elements, const double* q, double* axial,
@@ -144,9 +166,8 @@ struct Kernels {
   /// solved with the factors of a matrix. With `stiffness_factor` other than 0 these are first made of mass M
   /// + stiffness_factor K(point), K = ∂²U/∂q². All numbers of a node are read once for the way to the last
   /// node and once for the way back. x must not be among those that the stage is made of.
-  /// `end_force`: three numbers, N.
   StageCorrection (*correct)(const ElementConstants& element, int elements, const HeldEnds& ends,
-                             const double* end_force, const StageTerms& stage, double stiffness_factor,
+                             const NodeForces& loads, const StageTerms& stage, double stiffness_factor,
                              double* factors, double* x);
 
   /// x := M⁻¹ x with the factors of M.

@@ -99,7 +99,7 @@ PLUMB_INLINE void substitute_back(int nodes, const double* factors, const Scaled
 /// computed, with the matrix too where it is renewed, and on the way back the corrections are added.
 template <bool green, bool full, bool renews>
 StageCorrection chain_correction(const ElementConstants& element, const ElementConstants& scaled,
-                                 int elements, const HeldEnds& ends, const double* end_force,
+                                 int elements, const HeldEnds& ends, const NodeForces& loads,
                                  const StageTerms& terms, double* factors, double* x) {
   const int nodes = elements + 1;
   StageCorrection result;
@@ -110,9 +110,11 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
   ForwardSubstitution forward;
   Momentum momentum(element, NodeVectors{});
   double f[per_node * (lanes + 1)];
+  const NodeForce* load = loads.begin();
 
   const auto take_node = [&](int node, double* force, const NodeVectors& inertia) {
     Six b = load_six(force);
+    if (load != loads.end() && load->node == node) b = b + load_six(load++->force);
     b = {terms.force * b.a, terms.force * b.b};
     if (terms.known.numbers != nullptr) {
       const Six known = load_six(terms.known.numbers + per_node * node);
@@ -156,7 +158,6 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
   result.unsound = forces.unsound();
   if (result.unsound >= 0 || result.singular >= 0) return result;
   forces.end(f);
-  for (int k = 0; k < 3; ++k) f[k] += end_force[k];
   take_node(elements, f, momentum.take_last());
   substitute_back(nodes, factors, terms.from, x, result);
   return result;

@@ -12,8 +12,7 @@ namespace plumb {
 Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
       rigid_(spec.cable.model == CableModel::rigid),
-      gravity_(spec.loads.gravity),
-      end_force_(spec.loads.end_force),
+      loads_(loads_of(spec)),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain),
@@ -21,18 +20,18 @@ Cable::Cable(const Case& spec)
                  element_.bending_stiffness(),
                  element_.length(),
                  spec.cable.density * spec.cable.area,
-                 {gravity_.x(), gravity_.y(), gravity_.z()},
+                 {loads_.per_mass().x(), loads_.per_mass().y(), loads_.per_mass().z()},
                  spec.cable.strain == StrainModel::green_geometric,
                  spec.cable.quadrature == QuadratureRule::full,
                  spec.cable.model == CableModel::chain},
       chain_(spec.cable.model == CableModel::chain ? std::optional<Chain>(constants_) : std::nullopt),
       supports_(spec.supports, spec.start.direction, spec.cable.elements + 1, spec.cable.model),
       mass_(constants_, elements_, supports_) {
-  // A uniform acceleration is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
+  // A uniform force on all mass is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
-  for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = gravity_;
+  for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = loads_.per_mass();
   mass_.multiply(uniform, external_force_);
-  external_force_.segment<3>(6 * elements_) += end_force_;
+  loads_.on_nodes().add_to(external_force_.data());
 }
 
 Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
@@ -67,7 +66,7 @@ std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) co
     return chain_->subtract_gradient(q, f);
   }
   const int collapsed = best_kernels().force(constants_, elements_, q.data(), f.data());
-  f.segment<3>(6 * elements_) += end_force_;
+  loads_.on_nodes().add_to(f.data());
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
@@ -77,7 +76,7 @@ std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a
   const Kernels& kernels = best_kernels();
   if (const MassFactors* factors = mass_.factors(); factors != nullptr && !chain_) {
     const int collapsed =
-        kernels.acceleration(constants_, elements_, *factors, end_force_.data(), sums, a.data());
+        kernels.acceleration(constants_, elements_, *factors, loads_.on_nodes(), sums, a.data());
     return collapsed < 0 ? std::nullopt : std::optional(collapsed);
   }
   scratch.resize(size());

@@ -4,11 +4,12 @@
 #include <optional>
 
 #include "engine/case/case.h"
-#include "engine/integrate/trajectory.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"
 #include "engine/model/chain.h"
 #include "engine/model/element.h"
+#include "engine/model/energies.h"
+#include "engine/model/load.h"
 #include "engine/model/mass.h"
 #include "engine/model/supports.h"
 
@@ -22,7 +23,7 @@ struct CablePoint {
 };
 
 /// The discrete cable: equal elements one after the other, or the links of a chain (CableModel), with
-/// supports, gravity and a force on its last end. Its coordinates q hold r (m) and r' (1) of each node in
+/// supports and loads. Its coordinates q hold r (m) and r' (1) of each node in
 /// turn, 6(N + 1) numbers; v holds their rates. M dv/dt = f(q), dq/dt = v. A Cable never changes and may be
 /// shared between threads.
 class Cable {
@@ -33,9 +34,6 @@ class Cable {
   int nodes() const { return elements_ + 1; }
   int size() const { return 6 * nodes(); }
   double length() const { return element_.length() * elements_; }
-  double weight() const { return constants_.mass_per_length * length() * gravity_.norm(); }  ///< N
-  /// Weight and end force together, N; times the length, the energy that they can release.
-  double load() const { return weight() + end_force_.norm(); }
 
   /// The links, where the cable is modelled as a chain; else nothing.
   const std::optional<Chain>& chain() const { return chain_; }
@@ -54,11 +52,9 @@ class Cable {
   /// hold set to 0.
   Eigen::VectorXd start_v(const StartSpec& start) const;
 
-  /// The weight of the cable and the force on its last end, on its coordinates, N and N m.
+  const LoadSum& loads() const { return loads_; }
+  /// The loads together, on its coordinates, N and N m.
   const Eigen::VectorXd& external_force() const { return external_force_; }
-
-  /// The force on the last end, N.
-  const Vec3& end_force() const { return end_force_; }
 
   /// f := external minus elastic force; the forces of the supports are not in it. Returns an element whose
   /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point; of a link, λ ≤ slope_floor), for
@@ -93,7 +89,7 @@ class Cable {
 
   int elements_;
   bool rigid_;
-  Vec3 gravity_, end_force_;
+  LoadSum loads_;
   Element element_;
   ElementConstants constants_;
   std::optional<Chain> chain_;

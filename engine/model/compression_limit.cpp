@@ -8,8 +8,7 @@ namespace plumb {
 
 std::optional<OverloadedElement> overloaded_element(const Cable& cable, const Eigen::VectorXd& q,
                                                     double fraction) {
-  const SupportsSpec& supports = cable.supports().spec();
-  const bool first_free = supports.first == Support::free, last_free = supports.last == Support::free;
+  const bool first_free = !cable.supports().first().position, last_free = !cable.supports().last().position;
   if (!cable.constants().green || (!first_free && !last_free)) return std::nullopt;
   const auto load = [&](int node) -> Vec3 { return fraction * cable.external_force().segment<3>(6 * node); };
   OverloadedElement hardest{-1, green_compression_limit};

@@ -14,8 +14,7 @@ using Block = Eigen::Matrix2d;
 
 MassMatrix::MassMatrix(const ElementConstants& element, int elements, const SupportProjection& supports)
     : element_(element), elements_(elements), supports_(supports), across_(factor(true)) {
-  const SupportsSpec& ends = supports_.spec();
-  if (ends.first == Support::clamped || ends.last == Support::clamped) along_ = factor(false);
+  if (supports_.first().direction || supports_.last().direction) along_ = factor(false);
 }
 
 std::shared_ptr<const MassMatrix::Factors> MassMatrix::factor(bool slopes_held) const {
@@ -25,12 +24,10 @@ std::shared_ptr<const MassMatrix::Factors> MassMatrix::factor(bool slopes_held) 
   const ElementMass m(element_);
   const Block first{{m.rr, m.rg}, {m.rg, m.gg}}, second{{m.rr, -m.rg}, {-m.rg, m.gg}};
   const Block below{{m.r1r0, -m.g1r0}, {m.g1r0, m.g1g0}};  // rows of the element's second node
-  const SupportsSpec& ends = supports_.spec();
   const int nodes = elements_ + 1, middle = nodes / 2;
   const auto free = [&](int node) {
-    const Support support = node == 0 ? ends.first : node == elements_ ? ends.last : Support::free;
-    return Eigen::Vector2d(support == Support::free ? 1 : 0,
-                           support == Support::clamped && slopes_held ? 0 : 1);
+    const Hold hold = node == 0 ? supports_.first() : node == elements_ ? supports_.last() : Hold{};
+    return Eigen::Vector2d(hold.position ? 0 : 1, hold.direction && slopes_held ? 0 : 1);
   };
   // The rows and columns that are held are replaced by those of the identity, and their inverse by zeros.
   const auto inverse_of = [&](int node, const Block& taken_off) -> Block {

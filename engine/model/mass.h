@@ -21,11 +21,11 @@ class MassMatrix {
   void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& y) const;
 
   /// x := the acceleration that the force x gives the supported cable: P M P a = P x with a = P a. `scratch`
-  /// is only used where an end is clamped, and is then given the size of x.
+  /// is only used where a direction is held, and is then given the size of x.
   void solve(Eigen::VectorXd& x, Eigen::VectorXd& scratch) const;
 
   /// The factors with which alone `solve` works, valid as long as this matrix or a copy of it; nullptr where
-  /// an end is clamped, which takes two.
+  /// a direction is held, which takes two.
   const MassFactors* factors() const { return along_ ? nullptr : &across_->view; }
 
   /// ½ vᵀ M v, J.
@@ -39,14 +39,14 @@ class MassMatrix {
     MassFactors view;
   };
 
-  /// `slopes_held`: clamped ends hold their slope too.
+  /// `slopes_held`: what is held in direction holds its slope.
   std::shared_ptr<const Factors> factor(bool slopes_held) const;
 
   ElementConstants element_;
   int elements_;
   SupportProjection supports_;
-  std::shared_ptr<const Factors> across_;  // for motion across the clamped direction
-  std::shared_ptr<const Factors> along_;   // for motion along it; only with a clamped end
+  std::shared_ptr<const Factors> across_;  // for motion across the held direction
+  std::shared_ptr<const Factors> along_;   // for motion along it; only with a direction held
 };
 
 }  // namespace plumb

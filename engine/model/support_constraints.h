@@ -8,12 +8,13 @@
 namespace plumb {
 
 /// What the supports hold, as linear constraints G q = G q₀ with orthonormal rows, G Gᵀ = I: the complement
-/// of SupportProjection, P = I − Gᵀ G. Of a held end the rows are the three components of r and, where it is
-/// clamped, two components of r' across the direction of the straight cable; the first end comes first. A
-/// multiplier λ with M v' = f + Gᵀ λ is the force of the joint on the cable: N, and N m for rows of r'.
+/// of SupportProjection, P = I − Gᵀ G. Of an end the rows are the three components of r, where its position
+/// is held, and two components of r' across the straight cable, where its direction is; the first end comes
+/// first. A multiplier λ with M v' = f + Gᵀ λ is the force of the joint on the cable: N, and N m for rows of
+/// r'.
 class SupportConstraints {
  public:
-  /// `direction`: unit vector of the straight cable; only used where an end is clamped.
+  /// `direction`: unit vector of the straight cable; only used where a direction is held.
   SupportConstraints(const SupportsSpec& supports, const Vec3& direction, int nodes);
 
   Eigen::Index count() const { return static_cast<Eigen::Index>(rows_.size()); }
@@ -35,7 +36,7 @@ class SupportConstraints {
   }
 
  private:
-  static constexpr int most = 10;  // both ends clamped
+  static constexpr int most = 10;  // both ends held altogether
 
   struct Row {
     Eigen::Index at;  // of the three coordinates it looks at

@@ -6,40 +6,58 @@
 namespace plumb {
 namespace {
 
-/// Projection on the admissible rates of one node.
-Block6 node_projection(Support support, const Vec3& direction) {
+/// P of one node.
+Block6 node_projection(const Hold& hold, const Vec3& direction) {
   Block6 P = Block6::Identity();
-  if (support == Support::free) return P;
-  P.topLeftCorner<3, 3>().setZero();
-  if (support == Support::clamped) P.bottomRightCorner<3, 3>() = direction * direction.transpose();
+  if (hold.position) P.topLeftCorner<3, 3>().setZero();
+  if (hold.direction) P.bottomRightCorner<3, 3>() = direction * direction.transpose();
   return P;
 }
 
-/// P of one node, in place.
-void hold_numbers(Support support, const Vec3& direction, double* numbers) {
-  if (support == Support::free) return;
-  Eigen::Map<Vec3>(numbers).setZero();
-  if (support == Support::pinned) return;
+/// P x of one node, in place.
+void hold_numbers(const Hold& hold, const Vec3& direction, double* numbers) {
+  if (hold.position) Eigen::Map<Vec3>(numbers).setZero();
+  if (!hold.direction) return;
   Eigen::Map<Vec3> slope(numbers + 3);
   slope = direction * direction.dot(slope);
 }
 
 /// A node's diagonal block becomes P D P + (I − P); of D the lower triangle counts.
-void hold_diagonal(Support support, const Vec3& direction, BlockTridiagonal::Map D) {
-  D.leftCols<3>().setZero();
-  D.topLeftCorner<3, 3>().setIdentity();
-  if (support == Support::pinned) return;
-  const Eigen::Matrix3d slopes = D.bottomRightCorner<3, 3>().selfadjointView<Eigen::Lower>();
+void hold_diagonal(const Hold& hold, const Vec3& direction, BlockTridiagonal::Map D) {
+  if (hold.position) {
+    D.leftCols<3>().setZero();
+    D.topLeftCorner<3, 3>().setIdentity();
+  }
+  if (!hold.direction) return;
   const Eigen::Matrix3d along = direction * direction.transpose();
+  if (!hold.position) D.bottomLeftCorner<3, 3>() = (along * D.bottomLeftCorner<3, 3>()).eval();
+  const Eigen::Matrix3d slopes = D.bottomRightCorner<3, 3>().selfadjointView<Eigen::Lower>();
   D.bottomRightCorner<3, 3>() =
       direction.dot(slopes * direction) * along + Eigen::Matrix3d::Identity() - along;
 }
 
 }  // namespace
 
+Hold hold_of(Support support) {
+  switch (support) {
+    case Support::free:
+      return {};
+    case Support::pinned:
+      return {.position = true};
+    case Support::clamped:
+      return {.position = true, .direction = true};
+  }
+  return {};
+}
+
 SupportProjection::SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes,
                                      CableModel model)
-    : supports_(supports), direction_(direction), nodes_(nodes), slopes_held_(model == CableModel::chain) {}
+    : spec_(supports),
+      first_(hold_of(supports.first)),
+      last_(hold_of(supports.last)),
+      direction_(direction),
+      nodes_(nodes),
+      slopes_held_(model == CableModel::chain) {}
 
 void SupportProjection::apply(Eigen::VectorXd& x) const {
   hold(false, x.data());
@@ -49,25 +67,23 @@ void SupportProjection::apply(Eigen::VectorXd& x) const {
 }
 
 void SupportProjection::hold(bool last, double* numbers) const {
-  hold_numbers(last ? supports_.last : supports_.first, direction_, numbers);
+  hold_numbers(last ? last_ : first_, direction_, numbers);
 }
 
 void SupportProjection::hold_first(double* column) const {
-  const Support support = supports_.first;
-  if (support == Support::free) return;
-  hold_diagonal(support, direction_, BlockTridiagonal::Map(column));
+  if (first_.none()) return;
+  hold_diagonal(first_, direction_, BlockTridiagonal::Map(column));
   BlockTridiagonal::Map below(column + 6);
-  below.leftCols<3>().setZero();
-  if (support == Support::pinned) return;
+  if (first_.position) below.leftCols<3>().setZero();
+  if (!first_.direction) return;
   const Eigen::Matrix<double, 6, 1> along = below.rightCols<3>() * direction_;
   below.rightCols<3>() = along * direction_.transpose();
 }
 
 void SupportProjection::hold_last(double* column_before, double* column) const {
-  const Support support = supports_.last;
-  if (support == Support::free) return;
-  hold_diagonal(support, direction_, BlockTridiagonal::Map(column));
-  for (int j = 0; j < 6; ++j) hold_numbers(support, direction_, column_before + 12 * j + 6);
+  if (last_.none()) return;
+  hold_diagonal(last_, direction_, BlockTridiagonal::Map(column));
+  for (int j = 0; j < 6; ++j) hold_numbers(last_, direction_, column_before + 12 * j + 6);
 }
 
 void SupportProjection::apply(BlockTridiagonal& A) const {
@@ -80,9 +96,9 @@ void SupportProjection::apply(BlockTridiagonal& A) const {
 }
 
 void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
-  const auto hold = [&](Support support, int node) {
-    if (support == Support::free) return;
-    const Block6 P = node_projection(support, direction_);
+  const auto apply_at = [&](const Hold& hold, int node) {
+    if (hold.none()) return;
+    const Block6 P = node_projection(hold, direction_);
     Block6& diagonal = A.diagonal[static_cast<std::size_t>(node)];
     diagonal = (P * diagonal * P + Block6::Identity() - P).eval();
     const std::size_t beside = static_cast<std::size_t>(node == 0 ? 0 : node - 1);
@@ -91,8 +107,8 @@ void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
     rows = (P * rows).eval();
     columns = (columns * P).eval();
   };
-  hold(supports_.first, 0);
-  hold(supports_.last, nodes_ - 1);
+  apply_at(first_, 0);
+  apply_at(last_, nodes_ - 1);
   if (!slopes_held_) return;
   for (Block6& diagonal : A.diagonal) diagonal.bottomRightCorner<3, 3>().setIdentity();
 }

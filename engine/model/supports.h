@@ -11,13 +11,21 @@ class BlockTridiagonal;
 template <class Scalar>
 struct GeneralBlockTridiagonal;
 
+/// What a support holds of its end. That is all that anything needs to know of it.
+struct Hold {
+  bool position = false;   ///< r
+  bool direction = false;  ///< of r' the part across the straight cable, so that the end can still stretch
+
+  bool none() const { return !position && !direction; }
+};
+Hold hold_of(Support);
+
 /// What the supports hold, as a projection P on the admissible rates of the nodal coordinates (6 a node: r,
-/// r'). `pinned` holds r; `clamped` holds r and the part of r' across the direction of the straight cable, so
-/// that the clamped end can still stretch. The slopes of a chain, which are no unknowns, are held at every
-/// node. Supports do not move: a held coordinate keeps its value.
+/// r'). The slopes of a chain, which are no unknowns, are held at every node. Supports do not move: a held
+/// coordinate keeps its value.
 class SupportProjection : public HeldEnds {
  public:
-  /// `direction`: unit vector of the straight cable; only used where an end is clamped.
+  /// `direction`: unit vector of the straight cable; only used where a direction is held.
   SupportProjection(const SupportsSpec& supports, const Vec3& direction, int nodes,
                     CableModel model = CableModel::cable);
 
@@ -33,11 +41,14 @@ class SupportProjection : public HeldEnds {
   void hold_last(double* column_before, double* column) const override;
   void hold(bool last, double* numbers) const override;
 
-  const SupportsSpec& spec() const { return supports_; }
+  const SupportsSpec& spec() const { return spec_; }
+  const Hold& first() const { return first_; }
+  const Hold& last() const { return last_; }
   const Vec3& direction() const { return direction_; }
 
  private:
-  SupportsSpec supports_;
+  SupportsSpec spec_;
+  Hold first_, last_;
   Vec3 direction_;
   int nodes_;
   bool slopes_held_;

@@ -100,6 +100,9 @@ WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable,
 StabilitySpec read_stability(TableReader table, const std::map<std::string, double>& parameters,
                              const CableSpec& cable, const TimeSpec& time);
 
+/// The stability study of a case: what its table says, or the defaults where it has none.
+StabilitySpec stability_of(const Case& spec);
+
 /// [study.sweep]; an empty table gives the defaults.
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
 

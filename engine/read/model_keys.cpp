@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/integrate/methods/rigid_rod.h"
+#include "engine/integrate/method_roles.h"
 
 namespace plumb {
 
@@ -29,10 +29,10 @@ std::vector<std::string> drop_keys_of_other_models(TomlValue& merged) {
 }
 
 void check_rigid(const Case& spec, const RigidTables& tables) {
-  if (spec.method.name != rigid_rod_method && spec.method.name != scene_method)
+  if (spec.method.name != rigid_rod_method().name && spec.method.name != scene_method)
     tables.method.refuse_value(
         "name", fmt::format("must be \"{}\" for a rigid rod, which has no elements for other methods",
-                            rigid_rod_method));
+                            rigid_rod_method().name));
   if (spec.start.slope_rates != SlopeRates::rigid)
     tables.start.refuse_value("slope_rates", "must be \"rigid\" for a rigid rod, whose slopes turn with it");
   if (spec.start.axial_speed != 0)

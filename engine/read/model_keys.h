@@ -20,8 +20,8 @@ struct RigidTables {
   const std::vector<TableReader>& probes;
 };
 
-/// Refuses what a rigid rod has not: another method than rk4, slopes that do not turn with it, a speed along
-/// it, strains and curvatures. Throws InputError.
+/// Refuses what a rigid rod has not: another method than rigid_rod_method(), slopes that do not turn with it,
+/// a speed along it, strains and curvatures. Throws InputError.
 void check_rigid(const Case& spec, const RigidTables& tables);
 
 }  // namespace plumb

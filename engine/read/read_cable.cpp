@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/base/number_text.h"
+#include "engine/model/supports.h"
 #include "engine/read/case_sections.h"
 
 namespace plumb {
@@ -59,6 +60,49 @@ double read_accuracy(TableReader& table, const CableSpec& cable, double fallback
     table.refuse_value("tolerance",
                        fmt::format("must be at most the length of the cable, {:g} m", cable.length));
   return tolerance;
+}
+
+StartSpec read_start(TableReader table) {
+  StartSpec start;
+  start.direction = table.vector("direction", "", start.direction);
+  start.angular_velocity = table.vector("angular_velocity", "rad/s", start.angular_velocity);
+  start.slope_rates = table.choice<SlopeRates>("slope_rates", start.slope_rates);
+  start.axial_speed = table.number("axial_speed", Range::any("m/s"), start.axial_speed);
+  table.finish();
+
+  // Scaled by its largest component first: the square of a tiny or huge one is not a number to divide by.
+  const double largest = start.direction.cwiseAbs().maxCoeff();
+  if (largest == 0) table.refuse_value("direction", "must not be zero");
+  start.direction = (start.direction / largest).normalized();
+  return start;
+}
+
+SupportsSpec read_supports(TableReader table, CableModel model) {
+  SupportsSpec supports;
+  supports.first = table.choice<Support>("first", supports.first);
+  supports.last = table.choice<Support>("last", supports.last);
+  table.finish();
+  const auto check = [&](const char* end, Support support) {
+    if (model == CableModel::chain && hold_of(support).direction)
+      table.refuse_value(end, "a chain does not bend, so that its ends can be free or pinned only");
+  };
+  if (model == CableModel::rigid) {
+    const Hold first = hold_of(supports.first);
+    if (!first.position || first.direction)
+      table.refuse_value("first", "must be \"pinned\" for a rigid rod, which turns on a joint there");
+    if (!hold_of(supports.last).none())
+      table.refuse_value("last", "must be \"free\" for a rigid rod, which turns about its first end");
+  }
+  check("first", supports.first);
+  check("last", supports.last);
+  return supports;
+}
+
+LoadsSpec read_loads(TableReader table) {
+  LoadsSpec loads;
+  for (const LoadKey& key : load_keys) loads.*key.value = table.vector(key.name, key.unit, loads.*key.value);
+  table.finish();
+  return loads;
 }
 
 }  // namespace plumb

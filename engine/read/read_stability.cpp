@@ -7,7 +7,6 @@
 #include "engine/integrate/method_info.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/read/case_sections.h"
-#include "engine/read/stability_of.h"
 
 namespace plumb {
 namespace {
@@ -60,13 +59,14 @@ StabilitySpec default_stability(const std::map<std::string, double>& parameters,
   constexpr double share_of_length = 0.01;
   spec.tolerance = share_of_length * cable.length;
   spec.time_limit = 2;
-  for (const std::string& name : methods_with_steps())
-    if (name == "velocity-verlet" || name == "rk4") spec.limit_methods.push_back(name);
+  // What has to be given its step, and is not stable with any.
+  for (const MethodInfo& info : method_infos())
+    if (info.dynamic && !info.implicit && !info.takes_tolerances) spec.limit_methods.push_back(info.name);
   return spec;
 }
 
-/// Steps left to their defaults lie about that up to which velocity-verlet is stable: most of them above it,
-/// as implicit methods go far beyond.
+/// Steps left to their defaults lie about that up to which the simplest explicit method is stable: most of
+/// them above it, as implicit methods go far beyond.
 void set_default_steps(StabilitySpec& spec, const CableSpec& cable) {
   constexpr double below = 1.0 / 8, above = 125, usual_energy_step = 1e-2;
   const double limit = 2 / straight_frequency(cable);

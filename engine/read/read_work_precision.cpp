@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/read/case_sections.h"
 
 namespace plumb {
@@ -34,8 +34,7 @@ StudyExtent default_quick_extent(const CableSpec& cable) {
   StudyExtent extent;
   extent.elements = {cable.elements};
   if (2 * cable.elements <= finest) include(extent.elements, 2 * cable.elements);
-  for (const char* name : {"arkode-erk", "rk4", "generalized-alpha", "cvode-bdf"})
-    if (find_method(name) != nullptr) extent.methods.emplace_back(name);
+  extent.methods = few_unlike_methods();
   extent.points = 5;
   extent.repeats = 1;
   extent.time_limit = 0.1;

@@ -24,15 +24,16 @@ std::vector<NumberKey> numbers(const Case& spec) {
 }
 
 struct ListKey {
-  std::string_view key;
+  std::string key;
   Vec3 value;
 };
 
 std::vector<ListKey> lists(const Case& spec) {
-  return {{"start.direction", spec.start.direction},
-          {"start.angular_velocity", spec.start.angular_velocity},
-          {"loads.gravity", spec.loads.gravity},
-          {"loads.end_force", spec.loads.end_force}};
+  std::vector<ListKey> all{{"start.direction", spec.start.direction},
+                           {"start.angular_velocity", spec.start.angular_velocity}};
+  for (const LoadKey& key : load_keys)
+    all.push_back({fmt::format("loads.{}", key.name), spec.loads.*key.value});
+  return all;
 }
 
 struct Value {

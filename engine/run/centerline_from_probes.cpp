@@ -10,6 +10,7 @@
 
 #include "engine/base/time_interpolation.h"
 #include "engine/model/hermite.h"
+#include "engine/model/supports.h"
 
 namespace plumb {
 namespace {
@@ -49,7 +50,7 @@ std::vector<Place> known_places(const Case& spec, const GivenRun& given) {
     if (position && std::none_of(places.begin(), places.end(), near(probe.at)))
       places.push_back({probe.at, probe.name, position, {}});
   }
-  if (spec.supports.first != Support::free && std::none_of(places.begin(), places.end(), near(0)))
+  if (hold_of(spec.supports.first).position && std::none_of(places.begin(), places.end(), near(0)))
     places.push_back({0, "the held first end", {}, {}});
   for (const ProbeSpec& probe : spec.probes) {
     const auto place = std::find_if(places.begin(), places.end(), near(probe.at));

@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "engine/integrate/method_info.h"
+
 namespace plumb {
 namespace {
 
@@ -68,7 +70,8 @@ SampledRun sample(const Case& spec, const Trajectory& trajectory, const std::vec
        [&](const std::vector<std::size_t>& outputs) { return probe_without(spec, trajectory, outputs); }},
       times);
   // They have no rates, and so a polynomial through them would have a shape of its own.
-  sampled.between_is_unknown = spec.method.name == "statics";
+  const MethodInfo* method = find_method(spec.method.name);
+  sampled.between_is_unknown = method != nullptr && !method->dynamic;
   if (sampled.between_is_unknown)
     for (Column& column : sampled.errors.columns)
       for (std::size_t k = 0; k < column.values.size(); ++k)

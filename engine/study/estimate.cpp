@@ -8,7 +8,7 @@
 #include <map>
 #include <span>
 
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/straight_frequency.h"
 
 namespace plumb {
@@ -24,36 +24,9 @@ constexpr double report_bytes_an_output = 900;  // of results.json and the table
 constexpr double report_bytes = 2e6;
 constexpr double held_a_report_byte = 3;
 
-/// What a method that is not known takes: as much as the most that one does.
-struct Cost {
-  std::string_view method;
-  double bytes;        // a node
-  double nanoseconds;  // an element and step
-};
-constexpr std::array costs{Cost{"velocity-verlet", 520, 40},
-                           Cost{"rk4", 610, 150},
-                           Cost{"runge-kutta-nystrom", 2900, 600},
-                           Cost{"arkode-erk", 2600, 1000},
-                           Cost{"linearly-implicit-euler", 1000, 1000},
-                           Cost{"implicit-euler", 1000, 1500},
-                           Cost{"trapezoidal", 1000, 1500},
-                           Cost{"hht", 1000, 1500},
-                           Cost{"generalized-alpha", 1000, 1500},
-                           Cost{"implicit-midpoint", 1000, 1500},
-                           Cost{"energy-momentum", 3300, 8000},
-                           Cost{"arkode-dirk", 3500, 6000},
-                           Cost{"gauss", 6200, 10000},
-                           Cost{"bdf", 6600, 8000},
-                           Cost{"cvode-adams", 2200, 300},
-                           Cost{"cvode-bdf", 3300, 3000},
-                           Cost{"ida", 4500, 6000},
-                           Cost{"statics", 3000, 8000}};
-constexpr Cost unknown_cost{"", 6600, 10000};
-
-const Cost& cost_of(std::string_view method) {
-  const auto found =
-      std::find_if(costs.begin(), costs.end(), [&](const Cost& cost) { return cost.method == method; });
-  return found != costs.end() ? *found : unknown_cost;
+MethodCost cost_of(std::string_view method) {
+  const MethodInfo* info = find_method(method);
+  return info != nullptr ? info->cost : MethodCost{};
 }
 
 /// The finest mesh that is tried where it is left to the scene.
@@ -189,9 +162,8 @@ class Estimating {
 
   /// Of a run whose time integration has no part in its error.
   double exact_run_seconds(double elements) const {
-    MethodSpec exact;
-    exact.name = "arkode-erk";
-    return Sizes::steps_of(spec_, exact, elements) * elements * seconds_an_element("rk4");
+    const MethodSpec exact = plain_method(embedded_explicit());
+    return Sizes::steps_of(spec_, exact, elements) * elements * seconds_an_element(classical_explicit().name);
   }
 
   static double case_bytes() { return 20e3; }

@@ -461,12 +461,13 @@ class SceneRenderer::Drawing {
                            levels.empty() ? &mesh_ : &field_mesh_, color_of(i), !levels.empty()});
   }
 
-  // A ball for a joint, a sleeve for a clamp.
+  // A ball for a joint, a sleeve for what holds the direction too.
   void add_support(Layer& layer, const Strand& strand, Support support, const CurvePoint& end) {
-    if (support == Support::free) return;
+    const Hold hold = hold_of(support);
+    if (hold.none()) return;
     std::vector<CurvePoint> core = {end};
     double radius = 2.1 * strand.radius();
-    if (support == Support::clamped) {
+    if (hold.direction) {
       radius = 1.9 * strand.radius();
       core = {{end.position - 3 * strand.radius() * end.tangent, end.tangent},
               {end.position + 3 * strand.radius() * end.tangent, end.tangent}};

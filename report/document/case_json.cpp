@@ -91,8 +91,8 @@ Json case_json(const LoadedCase& loaded) {
                    {"slope_rates", word(spec.start.slope_rates)},
                    {"axial_speed", spec.start.axial_speed}};
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
-  json["loads"] = {{"gravity", vector_json(spec.loads.gravity)},
-                   {"end_force", vector_json(spec.loads.end_force)}};
+  for (const LoadKey& key : load_keys)
+    json["loads"][std::string(key.name)] = vector_json(spec.loads.*key.value);
   if (!reports_given_run(spec)) json["method"] = method_json(spec.method);
   if (!loaded.given_runs.empty()) json["given_runs"] = given_runs_json(loaded);
   json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};

@@ -148,8 +148,9 @@ data case_rows(const Document& document) {
   rows.emplace_back("axial speed of the last end at the start", exact(start.at("axial_speed")) + " m/s");
   rows.emplace_back("supports", text_of(the_case.at("supports"), "first") + " – " +
                                     text_of(the_case.at("supports"), "last"));
-  rows.emplace_back("gravity", vector_text(loads.at("gravity")) + " m/s²");
-  rows.emplace_back("force on the last end", vector_text(loads.at("end_force")) + " N");
+  for (const LoadKey& key : load_keys)
+    rows.emplace_back(key.meaning,
+                      fmt::format("{} {}", vector_text(loads.at(std::string(key.name))), key.unit));
   if (!solved_here) return pair_rows(rows);
   std::string method;
   for (const auto& [name, setting] : the_case.at("method").items())

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <complex>
+#include <span>
 #include <vector>
 
 #include "engine/integrate/methods/bdf_formula.h"
@@ -6,6 +9,7 @@
 #include "engine/integrate/methods/implicit_stage.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/integrate/state_at.h"
+#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 namespace {
@@ -107,6 +111,19 @@ class Bdf : public Method {
   Eigen::VectorXd a_, next_a_, base_, rates_;
 };
 
+/// Of the roots ζ of (1 − iz reach) ζᵏ = Σ oldⱼ ζᵏ⁻¹⁻ʲ.
+double bdf_amplification(const MethodSpec& spec, double z) {
+  const int order = static_cast<int>(spec.parameters.at("order"));
+  constexpr std::array<double, BdfFormula::highest_order> before{1, 2, 3, 4, 5};
+  const std::span<const double> steps_before = before;
+  const BdfFormula formula(steps_before.first(static_cast<std::size_t>(order)));
+  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(order, order);
+  for (int j = 0; j < order; ++j)
+    companion(0, j) = formula.old[static_cast<std::size_t>(j)] / std::complex<double>(1, -z * formula.reach);
+  for (int i = 1; i < order; ++i) companion(i, i - 1) = 1;
+  return spectral_radius(companion);
+}
+
 }  // namespace
 
 MethodEntry bdf_entry() {
@@ -120,6 +137,9 @@ MethodEntry bdf_entry() {
   info.family = MethodFamily::multistep;
   info.implicit = true;
   info.takes_step = true;
+  info.varied = {"order", "order {:g}", {2, 3, 4, 5}};
+  info.cost = {6600, 8000};
+  info.amplification = bdf_amplification;
   info.parameters = newton_parameters();
   // As for the Gauss method: what the iteration leaves over is a velocity of its size over h.
   info.parameters.front().fallback = 1e-14;
@@ -130,10 +150,7 @@ MethodEntry bdf_entry() {
                           .maximum = BdfFormula::highest_order,
                           .fallback = 2,
                           .whole = true});
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Bdf>(spec, dynamics, start);
-          }};
+  return {info, made<Bdf>};
 }
 
 }  // namespace plumb

@@ -4,7 +4,7 @@
 #include <complex>
 #include <utility>
 
-#include "engine/integrate/methods/gauss_table.h"
+#include "engine/integrate/linear_stability.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/integrate/methods/one_step_method.h"
 #include "engine/kernels/kernels.h"
@@ -16,6 +16,22 @@ namespace plumb {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// The Butcher table of the Gauss method of three stages (Hairer, Lubich and Wanner 2006, section II.1.3).
+struct GaussTable {
+  static constexpr int stages = 3;
+  Eigen::Vector3d c, b;
+  Eigen::Matrix3d A;
+
+  GaussTable() {
+    const double root = std::sqrt(15.0);
+    c << 0.5 - root / 10, 0.5, 0.5 + root / 10;
+    b << 5.0 / 18, 4.0 / 9, 5.0 / 18;
+    A << 5.0 / 36, 2.0 / 9 - root / 15, 5.0 / 36 - root / 30,  //
+        5.0 / 36 + root / 24, 2.0 / 9, 5.0 / 36 - root / 24,   //
+        5.0 / 36 + root / 30, 2.0 / 9 + root / 15, 5.0 / 36;
+  }
+};
 
 constexpr int stages = GaussTable::stages;
 using Weights = Eigen::Vector3d;
@@ -261,6 +277,11 @@ class Gauss : public OneStepMethod {
   Eigen::VectorXcd complex_;
 };
 
+double gauss_amplification(const MethodSpec&, double z) {
+  const GaussTable table;
+  return runge_kutta_amplification(table.A, table.b, z);
+}
+
 }  // namespace
 
 MethodEntry gauss_entry() {
@@ -275,14 +296,13 @@ MethodEntry gauss_entry() {
   info.family = MethodFamily::implicit_stages;
   info.implicit = true;
   info.takes_step = true;
+  info.cost = {6200, 10000};
+  info.amplification = gauss_amplification;
   info.parameters = newton_parameters();
   // What the iteration leaves over is a velocity of its size over h, step after step: more than a high order
   // allows.
   info.parameters.front().fallback = 1e-14;
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Gauss>(spec, dynamics, start);
-          }};
+  return {info, made<Gauss>};
 }
 
 }  // namespace plumb

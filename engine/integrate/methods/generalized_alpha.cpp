@@ -1,7 +1,7 @@
 #include "engine/integrate/methods/structural_method.h"
-#include "engine/integrate/methods/structural_schemes.h"
 
 namespace plumb {
+namespace {
 
 /// The generalized-α method of Chung and Hulbert (1993), with the nonlinear forces at the generalized
 /// midpoint (Kuhl and Crisfield 1999):
@@ -10,24 +10,27 @@ namespace plumb {
 /// or, with mean_forces, (1 − αf) f(qₙ₊₁) + αf f(qₙ) in the place of that force, which is the same for linear
 /// ones, with αm, αf, β and γ from the spectral radius ρ∞ at infinite frequency. ρ∞ = 1 is the midpoint rule,
 /// which keeps every linear oscillation, 0 removes the highest in a step.
-StructuralScheme generalized_alpha_scheme(double rho, bool mean_forces) {
+constexpr auto generalized_alpha_scheme = [](const MethodSpec& spec) -> StructuralScheme {
+  const double rho = spec.parameters.at("spectral_radius");
   const double alpha_m = (2 * rho - 1) / (rho + 1), alpha_f = rho / (rho + 1);
   const double gamma = 0.5 - alpha_m + alpha_f;
   const double beta = 0.25 * (1 - alpha_m + alpha_f) * (1 - alpha_m + alpha_f);
   StructuralScheme s = newmark(beta, gamma);
   s.mass_old = alpha_m;
   s.mass_new = 1 - alpha_m;
-  if (mean_forces) {
+  if (spec.parameters.at("mean_forces") != 0) {
     s.force_old = alpha_f;
     s.force_new = 1 - alpha_f;
   } else {
     s.point = 1 - alpha_f;
   }
   return s;
-}
+};
+
+}  // namespace
 
 MethodEntry generalized_alpha_entry() {
-  MethodInfo info = structural_info();
+  MethodInfo info = structural_info(generalized_alpha_scheme);
   info.name = "generalized-alpha";
   info.summary = "structural integrator with a chosen damping of high frequencies";
   info.source = "Chung and Hulbert 1993; Kuhl and Crisfield 1999";
@@ -47,12 +50,9 @@ MethodEntry generalized_alpha_entry() {
        .maximum = 1,
        .fallback = 0,
        .whole = true});
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            const StructuralScheme scheme = generalized_alpha_scheme(spec.parameters.at("spectral_radius"),
-                                                                     spec.parameters.at("mean_forces") != 0);
-            return std::make_unique<StructuralMethod>(scheme, spec, dynamics, start);
-          }};
+  info.damps_with = "a spectral_radius below 1";
+  info.varied = {"spectral_radius", "ρ∞ = {:g}", {1, 0.8, 0.5}};
+  return structural_entry(info, generalized_alpha_scheme);
 }
 
 }  // namespace plumb

@@ -1,21 +1,24 @@
 #include "engine/integrate/methods/structural_method.h"
-#include "engine/integrate/methods/structural_schemes.h"
 
 namespace plumb {
+namespace {
 
 /// The α method of Hilber, Hughes and Taylor (1977), with the forces of both ends of the step averaged:
 ///   M aₙ₊₁ = (1 + α) f(qₙ₊₁) − α f(qₙ),   β = ¼ (1 − α)²,  γ = ½ − α.
 /// α = 0 is the trapezoidal rule, α = −1/3 damps most.
-StructuralScheme hht_scheme(double alpha) {
+constexpr auto hht_scheme = [](const MethodSpec& spec) -> StructuralScheme {
+  const double alpha = spec.parameters.at("alpha");
   const double beta = 0.25 * (1 - alpha) * (1 - alpha), gamma = 0.5 - alpha;
   StructuralScheme s = newmark(beta, gamma);
   s.force_old = -alpha;
   s.force_new = 1 + alpha;
   return s;
-}
+};
+
+}  // namespace
 
 MethodEntry hht_entry() {
-  MethodInfo info = structural_info();
+  MethodInfo info = structural_info(hht_scheme);
   info.name = "hht";
   info.summary = "α method of Hilber, Hughes and Taylor";
   info.source = "Hilber, Hughes and Taylor 1977";
@@ -26,11 +29,9 @@ MethodEntry hht_entry() {
                           .minimum = -1.0 / 3,
                           .maximum = 0,
                           .fallback = -0.1});
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<StructuralMethod>(hht_scheme(spec.parameters.at("alpha")), spec, dynamics,
-                                                      start);
-          }};
+  info.damps_with = "an alpha below 0";
+  info.varied = {"alpha", "α = {:g}", {-0.3, -0.05}};
+  return structural_entry(info, hht_scheme);
 }
 
 }  // namespace plumb

@@ -1,3 +1,4 @@
+#include "engine/integrate/linear_stability.h"
 #include "engine/integrate/methods/one_step_method.h"
 #include "engine/model/cable.h"
 
@@ -30,6 +31,13 @@ class LinearlyImplicitEuler : public OneStepMethod {
   Eigen::VectorXd momentum_;
 };
 
+double linearly_implicit_euler_amplification(const MethodSpec&, double z) {
+  return radius_of_step(z, [&](double& q, double& v) {
+    v = (v - z * z * q) / (1 + z * z);
+    q += v;
+  });
+}
+
 }  // namespace
 
 MethodEntry linearly_implicit_euler_entry() {
@@ -43,10 +51,9 @@ MethodEntry linearly_implicit_euler_entry() {
   info.family = MethodFamily::structural;
   info.implicit = true;
   info.takes_step = true;
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<LinearlyImplicitEuler>(spec, dynamics, start);
-          }};
+  info.cost = {1000, 1000};
+  info.amplification = linearly_implicit_euler_amplification;
+  return {info, made<LinearlyImplicitEuler>};
 }
 
 }  // namespace plumb

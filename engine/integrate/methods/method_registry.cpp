@@ -1,54 +1,50 @@
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
 #include "engine/integrate/method.h"
+#include "engine/integrate/method_roles.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 
-// A new method adds its entry here and is then known to the case reader, `plumb doctor` and the report.
-MethodEntry velocity_verlet_entry();
-MethodEntry rk4_entry();
-MethodEntry runge_kutta_nystrom_entry();
-MethodEntry arkode_erk_entry();
-MethodEntry linearly_implicit_euler_entry();
-MethodEntry implicit_euler_entry();
-MethodEntry trapezoidal_entry();
-MethodEntry hht_entry();
-MethodEntry generalized_alpha_entry();
-MethodEntry implicit_midpoint_entry();
-MethodEntry energy_momentum_entry();
-MethodEntry bdf_entry();
-MethodEntry cvode_bdf_entry();
-MethodEntry cvode_adams_entry();
-MethodEntry arkode_dirk_entry();
-MethodEntry gauss_entry();
-MethodEntry ida_entry();
-MethodEntry statics_entry();
+// Each method's own file defines its entry, NAME_entry(). A new one adds its line here, in the order in which
+// they are to be shown, and is then known to the case reader, the studies, `plumb doctor` and the report.
+// clang-format off
+#define PLUMB_METHODS(method)      \
+  method(velocity_verlet)          \
+  method(rk4)                      \
+  method(runge_kutta_nystrom)      \
+  method(arkode_erk)               \
+  method(linearly_implicit_euler)  \
+  method(implicit_euler)           \
+  method(trapezoidal)              \
+  method(hht)                      \
+  method(generalized_alpha)        \
+  method(implicit_midpoint)        \
+  method(energy_momentum)          \
+  method(arkode_dirk)              \
+  method(gauss)                    \
+  method(bdf)                      \
+  method(cvode_adams)              \
+  method(cvode_bdf)                \
+  method(ida)                      \
+  method(statics)
+// clang-format on
+
+#define PLUMB_DECLARE(name) MethodEntry name##_entry();
+PLUMB_METHODS(PLUMB_DECLARE)
 
 namespace {
 
 const std::vector<MethodEntry>& entries() {
-  static const std::vector<MethodEntry> all{
-      velocity_verlet_entry(),
-      rk4_entry(),
-      runge_kutta_nystrom_entry(),
-      arkode_erk_entry(),
-      linearly_implicit_euler_entry(),
-      implicit_euler_entry(),
-      trapezoidal_entry(),
-      hht_entry(),
-      generalized_alpha_entry(),
-      implicit_midpoint_entry(),
-      energy_momentum_entry(),
-      arkode_dirk_entry(),
-      gauss_entry(),
-      bdf_entry(),
-      cvode_adams_entry(),
-      cvode_bdf_entry(),
-      ida_entry(),
-      statics_entry(),
-  };
+#define PLUMB_LIST(name) name##_entry(),
+  static const std::vector<MethodEntry> all{PLUMB_METHODS(PLUMB_LIST)};
   return all;
+}
+
+const MethodInfo& known(std::string_view name) {
+  return *find_method(name);
 }
 
 }  // namespace
@@ -94,10 +90,45 @@ const MethodInfo* find_method(std::string_view name) {
   return nullptr;
 }
 
+const MethodInfo& usual_explicit() {
+  return known("velocity-verlet");
+}
+const MethodInfo& classical_explicit() {
+  return known("rk4");
+}
+const MethodInfo& accurate_explicit() {
+  return known("runge-kutta-nystrom");
+}
+const MethodInfo& embedded_explicit() {
+  return known("arkode-erk");
+}
+const MethodInfo& usual_implicit() {
+  return known("generalized-alpha");
+}
+const MethodInfo& accurate_implicit() {
+  return known("gauss");
+}
+const MethodInfo& energy_keeping() {
+  return known("energy-momentum");
+}
+
+std::vector<std::string> few_unlike_methods() {
+  return {embedded_explicit().name, classical_explicit().name, usual_implicit().name,
+          known("cvode-bdf").name};
+}
+
+const MethodInfo& rigid_rod_method() {
+  const auto takes_one = [](const MethodEntry& entry) { return entry.make_rigid != nullptr; };
+  return std::find_if(entries().begin(), entries().end(), takes_one)->info;
+}
+
 std::unique_ptr<Method> make_method(const MethodSpec& spec, Dynamics& dynamics, const State& start) {
-  for (const MethodEntry& entry : entries())
-    if (entry.info.name == spec.name) return entry.make(spec, dynamics, start);
-  throw std::invalid_argument("no method is named " + spec.name);
+  const auto entry = std::find_if(entries().begin(), entries().end(),
+                                  [&](const MethodEntry& any) { return any.info.name == spec.name; });
+  if (entry == entries().end()) throw std::invalid_argument("no method is named " + spec.name);
+  if (!dynamics.cable().is_rigid()) return entry->make(spec, dynamics, start);
+  if (entry->make_rigid == nullptr) throw std::invalid_argument(spec.name + " takes no rigid rod");
+  return entry->make_rigid(spec, dynamics, start);
 }
 
 }  // namespace plumb

@@ -1,21 +1,15 @@
 #pragma once
 
-#include <memory>
-#include <string_view>
-
 #include "engine/integrate/method.h"
 
 namespace plumb {
 
-/// The method that a rigid rod is integrated by.
-inline constexpr std::string_view rigid_rod_method = "rk4";
-
 /// A rigid rod on a joint at its first end (CableModel::rigid), without spin about its own axis. With its
 /// direction d, length L and mass per length m,
 ///   d̈ = a − (a·d) d − (ḋ·ḋ) d,  a = Q / (m L³/3),
-/// where Q is the work of weight and end force per change of d: the spherical pendulum (Landau and Lifshitz,
+/// where Q is the work of the loads per change of d: the spherical pendulum (Landau and Lifshitz,
 /// Mechanics, § 14). It is integrated by rk4 with a fixed step; after each step d is a unit vector again, and
-/// ḋ at right angles to it. States are those of the straight cable's nodes. `spec` must be for rk4, else
+/// ḋ at right angles to it. States are those of the straight cable's nodes. Without a step in `spec`,
 /// std::invalid_argument.
 std::unique_ptr<Method> make_rigid_rod(const MethodSpec& spec, Dynamics& dynamics, const State& start);
 

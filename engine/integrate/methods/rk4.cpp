@@ -1,4 +1,6 @@
+#include "engine/integrate/linear_stability.h"
 #include "engine/integrate/methods/one_step_method.h"
+#include "engine/integrate/methods/rigid_rod.h"
 
 namespace plumb {
 namespace {
@@ -31,6 +33,13 @@ class Rk4 : public OneStepMethod {
   Eigen::VectorXd a1_, a2_, a3_, a4_;
 };
 
+double rk4_amplification(const MethodSpec&, double z) {
+  Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
+  A(1, 0) = A(2, 1) = 0.5;
+  A(3, 2) = 1;
+  return runge_kutta_amplification(A, Eigen::Vector4d(1, 2, 2, 1) / 6, z);
+}
+
 }  // namespace
 
 MethodEntry rk4_entry() {
@@ -43,10 +52,9 @@ MethodEntry rk4_entry() {
   info.use = "short steps and exact counts; stable up to ωh = 2.83 of the highest frequency";
   info.family = MethodFamily::explicit_one_step;
   info.takes_step = true;
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Rk4>(spec, dynamics, start);
-          }};
+  info.cost = {610, 150};
+  info.amplification = rk4_amplification;
+  return {info, made<Rk4>, make_rigid_rod};
 }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "engine/integrate/linear_stability.h"
 #include "engine/integrate/methods/nystrom_pair.h"
 #include "engine/integrate/methods/one_step_method.h"
 
@@ -74,6 +75,23 @@ class RungeKuttaNystrom : public OneStepMethod {
   Eigen::VectorXd before_a_;  // acceleration before the last step
 };
 
+double nystrom_amplification(const MethodSpec&, double z) {
+  using Pair = NystromPair;
+  return radius_of_step(z, [&](double& q, double& v) {
+    Pair::Row k{};
+    double end_q = q + v, end_v = v;
+    for (std::size_t i = 0; i < Pair::stages; ++i) {
+      double stage = q + Pair::c[i] * v;
+      for (std::size_t j = 0; j < i; ++j) stage += Pair::a[i][j] * k[j];
+      k[i] = -z * z * stage;
+      end_q += Pair::b[i] * k[i];
+      end_v += Pair::velocity[i] * k[i];
+    }
+    q = end_q;
+    v = end_v;
+  });
+}
+
 }  // namespace
 
 MethodEntry runge_kutta_nystrom_entry() {
@@ -87,10 +105,9 @@ MethodEntry runge_kutta_nystrom_entry() {
   info.family = MethodFamily::explicit_one_step;
   info.takes_step = true;
   info.takes_tolerances = true;
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<RungeKuttaNystrom>(spec, dynamics, start);
-          }};
+  info.cost = {2900, 600};
+  info.amplification = nystrom_amplification;
+  return {info, made<RungeKuttaNystrom>};
 }
 
 }  // namespace plumb

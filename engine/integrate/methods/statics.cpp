@@ -20,7 +20,7 @@ constexpr double most_overshoot = 10;
 /// A correction this many lengths of the cable long is one by the round-off of a singular matrix.
 constexpr double singular_correction = 1e10;
 
-/// Equilibrium under a load, gravity and the force on the last end, that grows in proportion to time and is
+/// Equilibrium under a load, all of the case together, that grows in proportion to time and is
 /// whole at the end of the run; each step is one load step:
 ///   f_ext t/T − ∂U/∂q = 0,  by Newton's iteration  K dq = f_ext t/T − ∂U/∂q.
 /// A correction is halved until the next one, with the same matrix, is the smaller (the natural monotonicity
@@ -228,11 +228,9 @@ MethodEntry statics_entry() {
   info.implicit = true;
   info.dynamic = false;
   info.takes_step = true;
+  info.cost = {3000, 8000};
   info.parameters = newton_parameters();
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Statics>(spec, dynamics, start);
-          }};
+  return {info, made<Statics>};
 }
 
 }  // namespace plumb

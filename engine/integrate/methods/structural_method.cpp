@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "engine/integrate/methods/newton.h"
 #include "engine/model/cable.h"
+#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 
@@ -74,16 +74,21 @@ void StructuralMethod::accept() {
   last_h_ = h_;
 }
 
-MethodInfo structural_info() {
-  MethodInfo info;
-  info.order = "2";
-  info.conserves = "momentum";
-  info.family = MethodFamily::structural;
-  info.implicit = true;
-  info.takes_step = true;
-  info.takes_tolerances = true;
-  info.parameters = newton_parameters();
-  return info;
+double structural_amplification(const StructuralScheme& s, double z) {
+  Eigen::Matrix3d map;  // of (z q, v, a/z), with h = 1 and ω = z
+  for (int column = 0; column < 3; ++column) {
+    const double q = column == 0 ? 1 / z : 0, v = column == 1 ? 1 : 0, a = column == 2 ? z : 0;
+    const double known = q + v + s.position_old * a;
+    const double point = s.point * known + (1 - s.point) * q;
+    const double x = -(s.mass_old * a + z * z * (s.force_new * point + s.force_old * q)) /
+                     (s.mass_new + z * z * s.force_new * s.point * s.position_new);
+    map.col(column) << z * (known + s.position_new * x), v + s.velocity_old * a + s.velocity_new * x, x / z;
+  }
+  return spectral_radius(map);
+}
+
+NewtonMatrix structural_matrix(const StructuralScheme& s) {
+  return {s.mass_new, s.force_new * s.point * s.position_new, s.point};
 }
 
 }  // namespace plumb

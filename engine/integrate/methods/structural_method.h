@@ -1,6 +1,9 @@
 #pragma once
 
+#include <utility>
+
 #include "engine/integrate/methods/implicit_stage.h"
+#include "engine/integrate/methods/newton.h"
 #include "engine/integrate/methods/one_step_method.h"
 
 namespace plumb {
@@ -34,6 +37,15 @@ constexpr StructuralScheme newmark(double beta, double gamma) {
   return scheme;
 }
 
+/// The implicit midpoint rule: one stage, for the acceleration there.
+inline constexpr StructuralScheme midpoint_scheme{.position_old = 0,
+                                                  .position_new = 0.5,
+                                                  .velocity_old = 0,
+                                                  .velocity_new = 1,
+                                                  .point = 0.5,
+                                                  .time = 0.5,
+                                                  .error = 1.0 / 12};
+
 /// The one-step method of a StructuralScheme.
 class StructuralMethod : public OneStepMethod {
  public:
@@ -53,7 +65,39 @@ class StructuralMethod : public OneStepMethod {
   double h_ = 0, last_h_ = 0;                    // of this step and the last, s; 0: none
 };
 
+/// Spectral radius of a step of the scheme for a vibration with ωh = z (MethodInfo::amplification).
+double structural_amplification(const StructuralScheme& scheme, double z);
+
+/// Its NewtonMatrix.
+NewtonMatrix structural_matrix(const StructuralScheme& scheme);
+
 /// What the methods of this kind share in their description; `name`, `summary` and so on are left to them.
-MethodInfo structural_info();
+/// `scheme` gives that of a MethodSpec; it must have no captures.
+template <class Scheme>
+MethodInfo structural_info(Scheme /*scheme*/) {
+  MethodInfo info;
+  info.order = "2";
+  info.conserves = "momentum";
+  info.family = MethodFamily::structural;
+  info.implicit = true;
+  info.takes_step = true;
+  info.takes_tolerances = true;
+  info.parameters = newton_parameters();
+  info.cost = {1000, 1500};
+  info.amplification = [](const MethodSpec& spec, double z) {
+    return structural_amplification(Scheme{}(spec), z);
+  };
+  info.newton_matrix = [](const MethodSpec& spec) { return structural_matrix(Scheme{}(spec)); };
+  return info;
+}
+
+/// The entry of a method that is a StructuralMethod with that scheme and no more.
+template <class Scheme>
+MethodEntry structural_entry(MethodInfo info, Scheme /*scheme*/) {
+  return {std::move(info),
+          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
+            return std::make_unique<StructuralMethod>(Scheme{}(spec), spec, dynamics, start);
+          }};
+}
 
 }  // namespace plumb

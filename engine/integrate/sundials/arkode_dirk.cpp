@@ -119,6 +119,11 @@ MethodEntry arkode_dirk_entry() {
   info.implicit = true;
   info.takes_step = true;
   info.takes_tolerances = true;
+  info.varied = {"order", "order {:g}", {3, 5}};
+  info.cost = {3500, 6000};
+  info.amplification = [](const MethodSpec& spec, double z) {
+    return amplification(implicit_table(static_cast<int>(spec.parameters.at("order"))), z);
+  };
   info.parameters = {
       {.name = "order",
        .meaning = "2 TR-BDF2, 3 to 5 Kennedy and Carpenter's ESDIRK3(2)5, ESDIRK4(3)7 and ESDIRK5(4)7",
@@ -138,10 +143,7 @@ MethodEntry arkode_dirk_entry() {
        .maximum = 100,
        .fallback = 10,
        .whole = true}};
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<ArkodeDirk>(spec, dynamics, start);
-          }};
+  return {info, made<ArkodeDirk>};
 }
 
 }  // namespace plumb

@@ -90,6 +90,11 @@ MethodEntry arkode_erk_entry() {
   info.family = MethodFamily::explicit_one_step;
   info.takes_step = true;
   info.takes_tolerances = true;
+  info.varied = {"order", "order {:g}", {3, 5, 8}};
+  info.cost = {2600, 1000};
+  info.amplification = [](const MethodSpec& spec, double z) {
+    return amplification(explicit_table(static_cast<int>(spec.parameters.at("order"))), z);
+  };
   info.parameters = {{.name = "order",
                       .meaning =
                           "2 Heun-Euler, 3 Bogacki-Shampine, 4 Zonneveld, 5 Dormand-Prince, 6 Verner, "
@@ -98,10 +103,7 @@ MethodEntry arkode_erk_entry() {
                       .maximum = 8,
                       .fallback = 8,
                       .whole = true}};
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<ArkodeErk>(spec, dynamics, start);
-          }};
+  return {info, made<ArkodeErk>};
 }
 
 }  // namespace plumb

@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "engine/integrate/linear_stability.h"
+
 namespace plumb {
 namespace {
 
@@ -55,6 +57,17 @@ ARKODE_DIRKTableID implicit_table_of(int order) {
 
 ArkodeTable implicit_table(int order) {
   return owned(ARKodeButcherTable_LoadDIRK(implicit_table_of(order)));
+}
+
+double amplification(const ArkodeTable& table, double z) {
+  const int s = table->stages;
+  Eigen::MatrixXd A(s, s);
+  Eigen::VectorXd b(s);
+  for (int i = 0; i < s; ++i) {
+    b[i] = table->b[i];
+    for (int j = 0; j < s; ++j) A(i, j) = table->A[i][j];
+  }
+  return runge_kutta_amplification(A, b, z);
 }
 
 }  // namespace plumb

@@ -21,4 +21,7 @@ ArkodeTable explicit_table(int order);
 ARKODE_DIRKTableID implicit_table_of(int order);
 ArkodeTable implicit_table(int order);
 
+/// What a step by the table does to a vibration with ωh = z (MethodInfo::amplification).
+double amplification(const ArkodeTable& table, double z);
+
 }  // namespace plumb

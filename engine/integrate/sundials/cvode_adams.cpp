@@ -38,16 +38,14 @@ MethodEntry cvode_adams_entry() {
   info.use = "soft, coarse cables at tight tolerances: few force evaluations a step";
   info.family = MethodFamily::multistep;
   info.takes_tolerances = true;
+  info.cost = {2200, 300};
   info.parameters = {{.name = "max_order",
                       .meaning = "highest order used",
                       .minimum = 1,
                       .maximum = 12,
                       .fallback = 12,
                       .whole = true}};
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<CvodeAdams>(spec, dynamics, start);
-          }};
+  return {info, made<CvodeAdams>};
 }
 
 }  // namespace plumb

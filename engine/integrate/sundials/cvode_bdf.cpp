@@ -51,16 +51,15 @@ MethodEntry cvode_bdf_entry() {
   info.family = MethodFamily::multistep;
   info.implicit = true;
   info.takes_tolerances = true;
+  info.varied = {"max_order", "order ≤ {:g}", {2, 5}};
+  info.cost = {3300, 3000};
   info.parameters = {{.name = "max_order",
                       .meaning = "highest order used; 2 and below are stable at every oscillation",
                       .minimum = 1,
                       .maximum = 5,
                       .fallback = 5,
                       .whole = true}};
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<CvodeBdf>(spec, dynamics, start);
-          }};
+  return {info, made<CvodeBdf>};
 }
 
 }  // namespace plumb

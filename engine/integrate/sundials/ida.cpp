@@ -175,6 +175,7 @@ MethodEntry ida_entry() {
   info.family = MethodFamily::constrained;
   info.implicit = true;
   info.takes_tolerances = true;
+  info.cost = {4500, 6000};
   info.parameters = {{.name = "max_order",
                       .meaning = "highest order used; 2 and below are stable at every oscillation",
                       .minimum = 1,
@@ -187,10 +188,7 @@ MethodEntry ida_entry() {
                       .maximum = 1,
                       .fallback = 1,
                       .whole = true}};
-  return {info,
-          [](const MethodSpec& spec, Dynamics& dynamics, const State& start) -> std::unique_ptr<Method> {
-            return std::make_unique<Ida>(spec, dynamics, start);
-          }};
+  return {info, made<Ida>};
 }
 
 }  // namespace plumb

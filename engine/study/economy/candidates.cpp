@@ -6,9 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/integrate/method_info.h"
-#include "engine/integrate/methods/rigid_rod.h"
+#include "engine/integrate/method_roles.h"
+#include "engine/model/load.h"
 #include "engine/model/straight_frequency.h"
+#include "engine/model/supports.h"
 
 namespace plumb {
 namespace {
@@ -21,7 +22,8 @@ struct StepWork {
 
   double of(int elements) const { return fixed + element * elements; }
 };
-constexpr StepWork verlet_cable{150, 25}, verlet_chain{80, 36}, rigid_step{75, 10}, implicit_step{1000, 560};
+constexpr StepWork leapfrog_cable{150, 25}, leapfrog_chain{80, 36}, rigid_step{75, 10},
+    implicit_step{1000, 560};
 /// Of the safe default rather too little than too much: it bounds what a search may take.
 constexpr StepWork safe_step{400, 600};
 constexpr double safe_phase = 2.5;  // ωh of its steps, of the fastest vibration
@@ -34,8 +36,8 @@ double in_short(double value) {
   return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
-MethodSpec with_step(const char* name, double step) {
-  MethodSpec method = plain_method(*find_method(name));
+MethodSpec with_step(const MethodInfo& info, double step) {
+  MethodSpec method = plain_method(info);
   method.step = step;
   return method;
 }
@@ -50,9 +52,9 @@ Rung leapfrog(const Case& spec, CableSpec cable, double share_of_step) {
   const double frequency =
       chain ? 2 * std::sqrt(cable.youngs_modulus / cable.density) / link : straight_frequency(cable);
   const double longest = scene_output_interval(spec) / 2;
-  Rung rung{cable, with_step("velocity-verlet",
+  Rung rung{cable, with_step(usual_explicit(),
                              in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
-  rung.work = steps(spec, rung) * (chain ? verlet_chain : verlet_cable).of(cable.elements);
+  rung.work = steps(spec, rung) * (chain ? leapfrog_chain : leapfrog_cable).of(cable.elements);
   return rung;
 }
 
@@ -65,33 +67,39 @@ CableSpec meshed(const Case& spec, int elements) {
 
 bool has_rigid_rod(const Case& spec) {
   const ColorField field = spec.scene.color_by;
-  return spec.supports.first == Support::pinned && spec.supports.last == Support::free &&
-         spec.start.slope_rates == SlopeRates::rigid && spec.start.axial_speed == 0 &&
-         (field == ColorField::none || field == ColorField::speed) &&
+  const Hold first = hold_of(spec.supports.first), last = hold_of(spec.supports.last);
+  return first.position && !first.direction && last.none() && spec.start.slope_rates == SlopeRates::rigid &&
+         spec.start.axial_speed == 0 && (field == ColorField::none || field == ColorField::speed) &&
          std::all_of(spec.probes.begin(), spec.probes.end(),
                      [](const ProbeSpec& probe) { return is_vector(probe.quantity); });
 }
 
 /// A chain has no bending to show.
 bool has_chain(const Case& spec) {
-  return spec.supports.first != Support::clamped && spec.supports.last != Support::clamped &&
+  return !hold_of(spec.supports.first).direction && !hold_of(spec.supports.last).direction &&
          spec.start.slope_rates == SlopeRates::rigid && spec.scene.color_by != ColorField::curvature &&
          spec.scene.color_by != ColorField::bending_moment;
 }
 
 Rung rigid_rung(const Case& spec) {
-  constexpr double phase = 0.05;  // turned a step: rk4 is off by some 1e-8 of that
+  constexpr double phase = 0.05;  // turned a step: a method of order 4 is off by some 1e-8 of that
   CableSpec cable = meshed(spec, 1);
   cable.model = CableModel::rigid;
   cable.second_moment = 0;
   cable.quadrature = QuadratureRule::full;
   cable.strain = StrainModel::green_geometric;
+  Case rod = spec;
+  rod.cable = cable;
+  const LoadSum loads(loads_of(rod));
   const double mass = cable.density * cable.area * cable.length;
-  const double pull = 1.5 * spec.loads.gravity.norm() / cable.length +
-                      3 * spec.loads.end_force.norm() / (mass * cable.length);
+  double pull = 1.5 * loads.per_mass().norm() / cable.length;
+  for (const NodeForce& on : loads.on_nodes()) {
+    const Vec3 force(on.force), moment(on.force + 3);
+    pull += 3 * (force.norm() * on.node + moment.norm() / cable.length) / (mass * cable.length);
+  }
   const double fastest = std::sqrt(spec.start.angular_velocity.squaredNorm() + 4 * pull);
   const double longest = scene_output_interval(spec);
-  Rung rung{cable, with_step(std::string(rigid_rod_method).c_str(),
+  Rung rung{cable, with_step(rigid_rod_method(),
                              in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
   rung.work = steps(spec, rung) * rigid_step.of(1);
   return rung;
@@ -101,7 +109,7 @@ void add_implicit(const Case& spec, int elements, double below, std::vector<Rung
   constexpr int most_halvings = 7;
   double step = scene_output_interval(spec);
   for (int k = 0; k <= most_halvings; ++k, step /= 2) {
-    Rung rung{meshed(spec, elements), with_step("generalized-alpha", step)};
+    Rung rung{meshed(spec, elements), with_step(usual_implicit(), step)};
     rung.work = steps(spec, rung) * implicit_step.of(elements);
     if (rung.work >= below) return;
     rungs.push_back(std::move(rung));
@@ -168,6 +176,10 @@ std::string in_words(const Rung& rung) {
   return text;
 }
 
+bool is_leapfrog(const Rung& rung) {
+  return rung.method.name == usual_explicit().name;
+}
+
 Rung cable_rung(const Case& spec, int elements, double share_of_step) {
   return leapfrog(spec, meshed(spec, elements), share_of_step);
 }
@@ -208,7 +220,7 @@ std::vector<Rung> ladder(const Case& spec, double limit) {
 }
 
 Rung safe_rung(const Case& spec) {
-  Rung rung{meshed(spec, safe_elements), plain_method(*find_method("arkode-erk"))};
+  Rung rung{meshed(spec, safe_elements), plain_method(embedded_explicit())};
   rung.method.rtol = rung.method.atol = safe_tolerance;
   rung.work =
       std::ceil(spec.time.end * straight_frequency(rung.cable) / safe_phase) * safe_step.of(safe_elements);

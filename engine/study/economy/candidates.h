@@ -19,6 +19,9 @@ std::vector<std::string> rung_overrides(const Case& spec, const Rung& rung);
 /// "cable of 8 elements, velocity-verlet with step 0.00025 s".
 std::string in_words(const Rung& rung);
 
+/// True of the leapfrog's steps, usual_explicit().
+bool is_leapfrog(const Rung& rung);
+
 /// The full model on a mesh by the leapfrog, at a share of the step that it is stable up to.
 Rung cable_rung(const Case& spec, int elements, double share_of_step = 1);
 
@@ -27,7 +30,7 @@ Rung cable_rung(const Case& spec, int elements, double share_of_step = 1);
 /// shorter steps than they need to be stable, and with long implicit steps.
 std::vector<Rung> ladder(const Case& spec, double limit);
 
-/// The safe default: 64 elements, arkode-erk with rtol and atol of 1e-8.
+/// The safe default: 64 elements, embedded_explicit() with rtol and atol of 1e-8.
 Rung safe_rung(const Case& spec);
 
 }  // namespace plumb

@@ -212,8 +212,8 @@ class Search {
     if (!is_full(cable)) return 4 * cable.elements < needed;
     // Half of the mesh that is needed has failed; with a shorter step it may do.
     if (2 * cable.elements < needed) return true;
-    if (2 * cable.elements == needed && rung.method.name != "velocity-verlet") return true;
-    if (rung.method.name != "velocity-verlet") return !has_promise(*rung.method.step, rung.method.name);
+    if (2 * cable.elements == needed && !is_leapfrog(rung)) return true;
+    if (!is_leapfrog(rung)) return !has_promise(*rung.method.step, rung.method.name);
     // A shorter step than stability asks for.
     const auto longer = tried_like([&](const Rung& other) {
       return other.cable == cable && other.method.name == rung.method.name &&
@@ -289,7 +289,7 @@ class Search {
   /// How much of the chosen rung's error its step is guilty of: that of half the step, by order 2.
   void share_out(const Member& chosen) {
     Rung half = chosen.tried.rung;
-    if (half.method.name != "velocity-verlet") return;
+    if (!is_leapfrog(half)) return;
     *half.method.step /= 2;
     half.work *= 2;
     if (!can_afford(half)) return;

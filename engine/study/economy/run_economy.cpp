@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "engine/integrate/integrate.h"
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/read/case_sections.h"
 #include "engine/study/economy/candidates.h"
@@ -32,32 +32,32 @@ double greatest(const std::vector<double>& values) {
   return greatest;
 }
 
-Trajectory by_nystrom(const Case& spec, int elements) {
+Trajectory by_explicit(const Case& spec, int elements) {
   constexpr double phase = 1.2;  // ωh of the fastest vibration: half of what it is stable up to
   Rung rung = cable_rung(spec, elements);
-  rung.method = plain_method(*find_method("runge-kutta-nystrom"));
+  rung.method = plain_method(accurate_explicit());
   rung.method.step = std::min(phase / straight_frequency(rung.cable), scene_output_interval(spec) / 4);
   return integrate(with_rung(spec, rung));
 }
 
-Trajectory by_gauss(const Case& spec, int elements) {
+Trajectory by_implicit(const Case& spec, int elements) {
   constexpr double parts = 40;  // of an interval between frames
   Rung rung = cable_rung(spec, elements);
-  rung.method = plain_method(*find_method("gauss"));
+  rung.method = plain_method(accurate_implicit());
   rung.method.step = scene_output_interval(spec) / parts;
   return integrate(with_rung(spec, rung));
 }
 
 Truth truth_of(const Case& spec, int elements, bool two_methods) {
-  Truth truth{by_nystrom(spec, elements), by_nystrom(spec, elements / 2), {}};
-  if (two_methods) truth.by_another_method = by_gauss(spec, elements);
+  Truth truth{by_explicit(spec, elements), by_explicit(spec, elements / 2), {}};
+  if (two_methods) truth.by_another_method = by_implicit(spec, elements);
   return truth;
 }
 
 /// Of one by two methods.
 std::string truth_in_words(int elements) {
-  return fmt::format("{} elements by runge-kutta-nystrom, held against gauss and against half the elements",
-                     elements);
+  return fmt::format("{} elements by {}, held against {} and against half the elements", elements,
+                     accurate_explicit().name, accurate_implicit().name);
 }
 
 /// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far

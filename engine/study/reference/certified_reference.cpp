@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/integrate/integrate.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/integrate/processor_time.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/study/reference/error_norms.h"
@@ -13,11 +14,11 @@
 namespace plumb {
 namespace {
 
-/// ARKODE's pair of order 5 where that is enough: the error estimate of its pair of order 8 breaks down at
+/// The pair of order 5 where that is enough: the error estimate of that of order 8 breaks down at
 /// the edge of stability, to which a loose tolerance leads on a fine mesh.
 MethodSpec embedded_pair(double tolerance) {
   constexpr double loose = 1e-10;
-  MethodSpec spec = plain_method(*find_method("arkode-erk"));
+  MethodSpec spec = plain_method(embedded_explicit());
   spec.parameters["order"] = tolerance > loose ? 5 : 8;
   spec.rtol = spec.atol = tolerance;
   return spec;
@@ -25,7 +26,7 @@ MethodSpec embedded_pair(double tolerance) {
 
 /// Of another family of formulas, and no code in common with the first but the forces.
 MethodSpec nystrom(double step) {
-  MethodSpec spec = plain_method(*find_method("runge-kutta-nystrom"));
+  MethodSpec spec = plain_method(accurate_explicit());
   spec.step = step;
   return spec;
 }
@@ -65,8 +66,8 @@ StudyReference reference_of(const Trajectory& trajectory, const MethodSpec& firs
   return result;
 }
 
-/// A guess at the step from which the Nyström pair is stable, judged as rk4 would be. Too long a step only
-/// costs a run.
+/// A guess at the step from which the second method is stable, by the limit of classical_explicit(). Too long
+/// a step only costs a run.
 double first_step(const Case& spec) {
   constexpr double limit = 2.828;
   return std::min(limit / straight_frequency(spec.cable), spec.time.output_interval);

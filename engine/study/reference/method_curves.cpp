@@ -7,32 +7,6 @@
 namespace plumb {
 namespace {
 
-/// Values of a method's parameter that are worth a curve each; the others keep their defaults.
-struct ParameterValues {
-  std::string method;
-  std::string parameter;
-  std::string label;  ///< of a value
-  std::vector<double> values;
-};
-
-const std::vector<ParameterValues>& all_variants() {
-  static const std::vector<ParameterValues> all{
-      {"arkode-erk", "order", "order {:g}", {3, 5, 8}},
-      {"arkode-dirk", "order", "order {:g}", {3, 5}},
-      {"generalized-alpha", "spectral_radius", "ρ∞ = {:g}", {1, 0.8, 0.5}},
-      {"hht", "alpha", "α = {:g}", {-0.3, -0.05}},
-      {"bdf", "order", "order {:g}", {2, 3, 4, 5}},
-      {"cvode-bdf", "max_order", "order ≤ {:g}", {2, 5}},
-  };
-  return all;
-}
-
-const MethodParameter* find_parameter(const MethodInfo& method, const std::string& name) {
-  for (const MethodParameter& parameter : method.parameters)
-    if (parameter.name == name) return &parameter;
-  return nullptr;
-}
-
 std::vector<double> logarithmic(double first, double last, int count) {
   std::vector<double> values;
   for (int k = 0; k < count; ++k) values.push_back(first * std::pow(last / first, k / (count - 1.0)));
@@ -91,19 +65,15 @@ std::vector<CurvePlan> study_curves(const WorkPrecisionSpec& spec, const StudyEx
     const MethodInfo* method = find_method(name);
     if (method == nullptr) continue;
     const MethodSpec plain = plain_method(*method);
-    bool varied = false;
-    for (const ParameterValues& variants : all_variants()) {
-      const MethodParameter* parameter = find_parameter(*method, variants.parameter);
-      if (quick || variants.method != name || parameter == nullptr) continue;
-      for (const double value : variants.values) {
-        if (value < parameter->minimum || value > parameter->maximum) continue;
+    const VariedParameter& varied = method->varied;
+    if (quick || varied.values.empty())
+      add(*method, plain, name);
+    else
+      for (const double value : varied.values) {
         MethodSpec variant = plain;
-        variant.parameters[variants.parameter] = value;
-        add(*method, variant, fmt::format("{}, {}", name, fmt::format(fmt::runtime(variants.label), value)));
-        varied = true;
+        variant.parameters[varied.name] = value;
+        add(*method, variant, fmt::format("{}, {}", name, fmt::format(fmt::runtime(varied.label), value)));
       }
-    }
-    if (!varied) add(*method, plain, name);
   }
   return curves;
 }

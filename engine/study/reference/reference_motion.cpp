@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/integrate/integrate.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"
 #include "engine/study/reference/node_distance.h"
@@ -31,7 +32,7 @@ double trusted_until(const Case& spec, const StudyReference& reference, double t
   if (reference.certificate.agreement >= 0 && reference.certificate.agreement <= share * tolerance)
     return reference.trajectory.times.back();
   Case with = spec;
-  with.method = plain_method(*find_method("arkode-erk"));
+  with.method = plain_method(embedded_explicit());
   with.method.parameters["order"] = 5;
   with.method.rtol = with.method.atol = tight;
   return together_until(integrate(with, {}, time_limit), reference.trajectory, share * tolerance);

@@ -6,6 +6,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/cable.h"
 #include "engine/study/reference/trajectory_divergence.h"
 
@@ -33,7 +34,7 @@ Trajectory neighbour(const ReferenceMotion& motion, double time_limit) {
   change.segment<3>(6 * cable.elements()).setConstant(start_distance / std::sqrt(3.0));
   cable.supports().apply(change);
   start.q += change;
-  MethodSpec tight = plain_method(*find_method("arkode-erk"));
+  MethodSpec tight = plain_method(embedded_explicit());
   tight.parameters["order"] = 8;
   tight.rtol = tight.atol = 1e-11;
   return integrate(cable, start, tight, motion.spec.time, {}, time_limit);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/integrate/dynamics.h"
-#include "engine/integrate/methods/structural_schemes.h"
+#include "engine/integrate/method_info.h"
 #include "engine/integrate/state_at.h"
 #include "engine/model/cable.h"
 
@@ -17,10 +17,9 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 }  // namespace
 
 std::optional<NewtonMatrix> newton_matrix(const MethodSpec& method) {
-  const auto scheme = structural_scheme(method);
-  if (!scheme) return std::nullopt;
-  return NewtonMatrix{scheme->mass_new, scheme->force_new * scheme->point * scheme->position_new,
-                      scheme->point};
+  const MethodInfo* info = find_method(method.name);
+  if (info == nullptr || info->newton_matrix == nullptr) return std::nullopt;
+  return info->newton_matrix(method);
 }
 
 double newton_contraction(const Cable& cable, const NewtonMatrix& matrix, double h, const Eigen::VectorXd& q,

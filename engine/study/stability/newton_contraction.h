@@ -2,19 +2,13 @@
 
 #include <optional>
 
+#include "engine/integrate/method_info.h"
 #include "engine/integrate/trajectory.h"
 #include "engine/study/stability/stability.h"
 
 namespace plumb {
 
 class Cable;
-
-/// Newton's matrix of a structural method, S = mass M + stiffness h² K, without h.
-struct NewtonMatrix {
-  double mass = 1;       ///< pure number
-  double stiffness = 1;  ///< pure number
-  double point = 1;      ///< of the state within the step at which K is that of the solution, in (0, 1]
-};
 
 /// That of the method; nothing for methods that are not structural or have no Newton iteration.
 std::optional<NewtonMatrix> newton_matrix(const MethodSpec& method);

@@ -6,8 +6,8 @@
 
 #include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
+#include "engine/read/case_sections.h"
 #include "engine/read/changed_case.h"
-#include "engine/read/stability_of.h"
 #include "engine/study/stability/critical_step.h"
 #include "engine/study/stability/energy_histories.h"
 #include "engine/study/stability/mode_amplification.h"

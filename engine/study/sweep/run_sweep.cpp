@@ -9,7 +9,7 @@
 #include "engine/base/errors.h"
 #include "engine/base/place.h"
 #include "engine/integrate/integrate.h"
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/read/case_sections.h"
 #include "engine/read/changed_case.h"
 #include "engine/study/reference/node_distance.h"
@@ -53,12 +53,12 @@ Trajectory run_with(Case spec, const MethodSpec& method, double time_limit) {
 References make_references(const Case& model, double tolerance) {
   constexpr double well_agreed = 0.01, time_limit = 5;
   References best;
-  MethodSpec pair = plain_method(*find_method("runge-kutta-nystrom"));
-  MethodSpec gauss = plain_method(*find_method("gauss"));
+  MethodSpec pair = plain_method(accurate_explicit());
+  MethodSpec implicit = plain_method(accurate_implicit());
   for (const auto& [rtol, parts] : {std::pair{1e-9, 10}, std::pair{1e-11, 40}, std::pair{1e-13, 160}}) {
     pair.rtol = pair.atol = rtol;
-    gauss.step = model.time.output_interval / parts;
-    References found{run_with(model, pair, time_limit), run_with(model, gauss, time_limit)};
+    implicit.step = model.time.output_interval / parts;
+    References found{run_with(model, pair, time_limit), run_with(model, implicit, time_limit)};
     found.horizon = together_until(found.first, found.second, trusted_share * tolerance);
     found.disagreement = node_distance(found.first, found.second, found.horizon);
     const bool whole = found.horizon >= model.time.end && found.disagreement <= well_agreed * tolerance;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "engine/base/random_draw.h"
+#include "engine/case/case_words.h"
 #include "engine/integrate/method_info.h"
 
 namespace plumb {
@@ -56,7 +57,6 @@ std::vector<const MethodInfo*> methods_in_time() {
 std::vector<std::string> model_overrides(const Case& file_case, long seed, long model) {
   constexpr double most_elements = 16, shortest = 0.05, longest = 0.5, greatest_f = 20;
   constexpr int outputs = 20;
-  constexpr std::array supports{Support::free, Support::pinned, Support::clamped};
   constexpr std::array strains{StrainModel::green_geometric, StrainModel::engineering_material};
   constexpr std::array rules{QuadratureRule::full, QuadratureRule::reduced};
   constexpr std::array rates{SlopeRates::rigid, SlopeRates::zero};
@@ -70,8 +70,8 @@ std::vector<std::string> model_overrides(const Case& file_case, long seed, long 
       set("cable.elements", static_cast<int>(std::floor(draw.of_equal_ratio(1, most_elements + 1)))));
   result.push_back(set("cable.strain", word(draw.one_of(strains))));
   result.push_back(set("cable.quadrature", word(draw.one_of(rules))));
-  result.push_back(set("supports.first", word(draw.one_of(supports))));
-  result.push_back(set("supports.last", word(draw.one_of(supports))));
+  result.push_back(set("supports.first", draw.one_of(words_of<Support>).word));
+  result.push_back(set("supports.last", draw.one_of(words_of<Support>).word));
   result.push_back(set("start.slope_rates", word(draw.one_of(rates))));
   result.push_back(set("time.output_interval", interval));
   result.push_back(set("time.end", in_short(outputs * std::strtod(interval.c_str(), nullptr))));

@@ -8,7 +8,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/base/latin_hypercube.h"
-#include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/read/changed_case.h"
 #include "engine/read/uncertain_keys.h"
@@ -34,9 +34,9 @@ ThreeMeshes three_meshes(int elements) {
 Case exact_in_time(const Case& spec) {
   Case exact = spec;
   if (!find_method(spec.method.name)->dynamic) return exact;
-  constexpr double share_of_limit = 0.25, rk4_limit = 2.828;
-  exact.method = plain_method(*find_method("rk4"));
-  const double step = share_of_limit * rk4_limit / straight_frequency(spec.cable);
+  constexpr double share_of_limit = 0.25, limit = 2.828;
+  exact.method = plain_method(classical_explicit());
+  const double step = share_of_limit * limit / straight_frequency(spec.cable);
   exact.method.step = spec.time.output_interval / std::ceil(spec.time.output_interval / step);
   return exact;
 }

@@ -25,8 +25,9 @@ struct ThreeMeshes {
 /// no order.
 ThreeMeshes three_meshes(int elements);
 
-/// The case with a cheap method that is exact in time beside what meshes and inputs do: rk4 at a quarter of
-/// its limit of stability on the finest mesh asked of it, or the case's own method where nothing moves.
+/// The case with a cheap method that is exact in time beside what meshes and inputs do:
+/// classical_explicit() at a quarter of its limit of stability on the finest mesh asked of it, or the case's
+/// own method where nothing moves.
 Case exact_in_time(const Case& spec);
 
 /// The case with half its step or a tenth of its tolerances. `fault` says where it has neither.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/integrate/method_info.h"
 #include "engine/study/economy/candidates.h"
 #include "report/study/economy/economy_text.h"
 
@@ -23,7 +24,7 @@ bool is_cable(const Rung& rung) {
   return rung.cable.model == CableModel::cable;
 }
 bool is_implicit(const Rung& rung) {
-  return rung.method.name == "generalized-alpha";
+  return find_method(rung.method.name)->implicit;
 }
 bool is_reduced(const Rung& rung) {
   return rung.cable.quadrature == QuadratureRule::reduced;

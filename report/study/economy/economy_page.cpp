@@ -135,6 +135,7 @@ std::vector<Figure> economy_study_figures(const EconomyStudy& study) {
 StudySection shown_economy(const EconomyStudy& study, const std::vector<Picture>& pictures) {
   data section;
   section["reference"] = study.reference;
+  section["safe_default"] = in_words(safe_rung(study.loaded.spec));
   section["safe"] = fmt::format("{:.3g}", study.safe_seconds);
   section["safe_end"] = fmt::format("{:.3g}", study.safe_end);
   section["safe_whole"] = study.safe_end >= study.loaded.spec.time.end;

@@ -21,7 +21,7 @@ std::string seconds_in_words(double seconds) {
 const TriedRung* own_mesh(const Economy& economy) {
   const auto found = std::find_if(economy.tried.begin(), economy.tried.end(), [&](const TriedRung& tried) {
     return tried.rung.cable.model == CableModel::cable && tried.estimate >= 0 &&
-           tried.rung.cable.elements == economy.case_elements && tried.rung.method.name == "velocity-verlet";
+           tried.rung.cable.elements == economy.case_elements && is_leapfrog(tried.rung);
   });
   return found == economy.tried.end() ? nullptr : &*found;
 }

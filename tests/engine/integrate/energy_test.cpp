@@ -116,7 +116,7 @@ TEST(Energy, PotentialEnergyFallsByWeightTimesHeight) {
   Eigen::VectorXd q = cable.start_q(spec.start);
   const double before = cable.energies(q, q).potential;
   for (int node = 0; node < cable.nodes(); ++node) q[6 * node + 1] -= 0.3;
-  EXPECT_NEAR(cable.energies(q, q).potential - before, -cable.weight() * 0.3, 1e-15);
+  EXPECT_NEAR(cable.energies(q, q).potential - before, -cable.loads().size() * 0.3, 1e-15);
 }
 
 }  // namespace energy_test

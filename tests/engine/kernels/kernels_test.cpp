@@ -15,8 +15,27 @@ namespace plumb {
 namespace kernels_test {
 
 constexpr double EA = 40, EI = 7.96e-5, cable_length = 1, mass_per_length = 8e-3;
-constexpr double end_force[] = {0.1, -0.2, 0.3};  // N
-constexpr double gravity[] = {30, -981, 200};     // strong, so that it counts beside the elastic forces
+constexpr double gravity[] = {30, -981, 200};  // strong, so that it counts beside the elastic forces
+
+/// Forces on the first node, one between and the last.
+class Loads {
+ public:
+  explicit Loads(int elements) {
+    for (const int node : {0, elements / 2, elements})
+      if (forces_.empty() || forces_.back().node != node)
+        forces_.push_back({node, {0.1 + node, -0.2, 0.3, 1e-3, 2e-3, -3e-3}});
+  }
+
+  operator NodeForces() const { return {forces_.data(), static_cast<int>(forces_.size())}; }
+
+  void add_to(Eigen::VectorXd& f) const {
+    for (const NodeForce& on : forces_)
+      f.segment<6>(6 * on.node) += Eigen::Map<const Eigen::Matrix<double, 6, 1>>(on.force);
+  }
+
+ private:
+  std::vector<NodeForce> forces_;
+};
 
 /// A chain of elements, straight but for `spread` (a share of the element length, and of the unit slope).
 Eigen::VectorXd chain(int elements, double spread, unsigned seed) {
@@ -199,7 +218,7 @@ TEST_P(KernelsOf, ACorrectionIsTheResidualSolved) {
       const MassMatrix mass(constants(n), n, ends);
       Eigen::VectorXd f(at.size()), inertia;
       best_kernels().force(constants(n), n, at.data(), f.data());
-      f.segment<3>(6 * n) += Vec3(0.1, -0.2, 0.3);
+      Loads(n).add_to(f);
       mass.multiply(x + 0.3 * stage.v, inertia);
       Eigen::VectorXd change = 0.7 * f + 0.2 * stage.known - 0.8 * inertia;
       ends.apply(change);
@@ -216,8 +235,8 @@ TEST_P(KernelsOf, ACorrectionIsTheResidualSolved) {
       // With the matrix made anew, and then with the one at hand.
       for (const double renewed : {stiffness_factor, 0.0}) {
         Eigen::VectorXd seen(at.size());
-        const StageCorrection result = best_kernels().correct(constants(n), n, ends, end_force, terms,
-                                                              renewed, factors.data(), seen.data());
+        const StageCorrection result = best_kernels().correct(constants(n), n, ends, Loads(n), terms, renewed,
+                                                              factors.data(), seen.data());
         EXPECT_EQ(result.unsound, -1);
         EXPECT_EQ(result.singular, -1);
         EXPECT_TRUE(result.finite);
@@ -235,7 +254,7 @@ TEST_P(KernelsOf, ACorrectionThatGoesWrongSaysWhere) {
       std::vector<double> factors = factors_of(n);
       Eigen::VectorXd x(6 * (n + 1));
       const auto correct = [&](const Stage& stage, double stiffness_factor) {
-        return best_kernels().correct(constants(n), n, ends, end_force, stage.terms, stiffness_factor,
+        return best_kernels().correct(constants(n), n, ends, Loads(n), stage.terms, stiffness_factor,
                                       factors.data(), x.data());
       };
       Stage sound(n);
@@ -283,7 +302,7 @@ TEST_P(KernelsOf, AccelerationIsTheForceSolvedWithTheMassBesideItsSums) {
       const Eigen::VectorXd at = q + 1e-3 * v + 2e-3 * w;
       Eigen::VectorXd expected(q.size()), scratch;
       kernels->force(constants(n), n, at.data(), expected.data());
-      expected.segment<3>(6 * n) += Vec3(end_force[0], end_force[1], end_force[2]);
+      Loads(n).add_to(expected);
       mass.solve(expected, scratch);
       for (const bool kept : {false, true}) {
         Eigen::VectorXd a(q.size()), q_kept(q.size()), before(q.size()), after = w;
@@ -292,7 +311,7 @@ TEST_P(KernelsOf, AccelerationIsTheForceSolvedWithTheMassBesideItsSums) {
         const std::vector<Sum> first{Sum(v).plus(2, w).into(before)},
             then{Sum(after).plus(0.5, a).into(after)};
         EXPECT_EQ(kernels->acceleration(
-                      constants(n), n, *mass.factors(), end_force,
+                      constants(n), n, *mass.factors(), Loads(n),
                       {coordinates, {first.data(), first.size()}, {then.data(), then.size()}}, a.data()),
                   -1);
         EXPECT_LE((a - expected).norm(), 1e-14 * expected.norm()) << n << " elements";
@@ -312,8 +331,8 @@ TEST_P(KernelsOf, AnAccelerationSaysWhereASlopeHasCollapsed) {
       Eigen::VectorXd q = chain(n, 0.1, 24), a(q.size());
       q[6 * bad + 7] = std::numeric_limits<double>::quiet_NaN();
       const Sum coordinates(q);
-      EXPECT_EQ(best_kernels().acceleration(constants(n), n, *mass.factors(), end_force,
-                                            {coordinates, {}, {}}, a.data()),
+      EXPECT_EQ(best_kernels().acceleration(constants(n), n, *mass.factors(), Loads(n), {coordinates, {}, {}},
+                                            a.data()),
                 bad)
           << n << " elements";
     }
@@ -386,9 +405,9 @@ TEST_P(KernelsOf, ResultsAreTheSameBitsOnEveryInstructionSet) {
     const SupportProjection ends({.first = Support::pinned}, Vec3::UnitX(), n + 1);
     for (const double stiffness_factor : {1e-6, 0.0}) {
       const Stage stage(n);
-      plain_kernels().correct(constants(n), n, ends, end_force, stage.terms, stiffness_factor, a.data(),
+      plain_kernels().correct(constants(n), n, ends, Loads(n), stage.terms, stiffness_factor, a.data(),
                               x.data());
-      v3_kernels()->correct(constants(n), n, ends, end_force, stage.terms, stiffness_factor, b.data(),
+      v3_kernels()->correct(constants(n), n, ends, Loads(n), stage.terms, stiffness_factor, b.data(),
                             y.data());
       EXPECT_EQ(a, b) << n << " elements, renewed";
       EXPECT_EQ(x, y) << n << " elements, corrected";
@@ -397,7 +416,7 @@ TEST_P(KernelsOf, ResultsAreTheSameBitsOnEveryInstructionSet) {
     const Sum coordinates = Sum(q).plus(1e-3, f);
     const auto masses = [&](const Kernels& kernels, Eigen::VectorXd& out) {
       const Sum after = Sum(q).plus(2, x).into(out);
-      kernels.acceleration(constants(n), n, *mass.factors(), end_force, {coordinates, {}, after}, x.data());
+      kernels.acceleration(constants(n), n, *mass.factors(), Loads(n), {coordinates, {}, after}, x.data());
       kernels.mass_multiply(constants(n), n, q.data(), y.data());
       kernels.mass_solve(n + 1, *mass.factors(), y.data());
       kernels.add_up(n + 1, Sum(out).plus(kernels.kinetic_energy(constants(n), n, q.data()), y).into(out));

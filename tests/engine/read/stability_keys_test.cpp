@@ -4,7 +4,7 @@
 
 #include "engine/integrate/method_info.h"
 #include "engine/model/straight_frequency.h"
-#include "engine/read/stability_of.h"
+#include "engine/read/case_sections.h"
 #include "tests/engine/small_case.h"
 
 namespace plumb {

@@ -58,6 +58,22 @@ TEST(StudyCurves, StepsFallAndDivideTheOutputInterval) {
     }
 }
 
+TEST(StudyCurves, DrawEveryValueThatAMethodSaysIsWorthACurve) {
+  const std::vector<CurvePlan> curves = all_curves(pendulum(5, 4));
+  int varied = 0;
+  for (const MethodInfo& info : method_infos())
+    for (const double value : info.varied.values) {
+      ++varied;
+      EXPECT_TRUE(std::any_of(curves.begin(), curves.end(),
+                              [&](const CurvePlan& c) {
+                                return c.method == &info &&
+                                       c.points.front().parameters.at(info.varied.name) == value;
+                              }))
+          << info.name << ", " << info.varied.name << " = " << value;
+    }
+  EXPECT_GT(varied, 0);
+}
+
 TEST(StudyCurves, VariantsStateTheirOwnOrder) {
   const std::vector<CurvePlan> curves = all_curves(pendulum(5, 4));
   const auto labelled = [&](const std::string& label) {

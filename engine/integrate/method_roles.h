@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/integrate/method_info.h"
+
+namespace plumb {
+
+/// Methods that are asked for by what they are for, by those that need one and do not care which.
+
+/// The cheapest step of all, fixed, of order 2.
+const MethodInfo& usual_explicit();
+/// Of middling order with a fixed step, whose limit of stability everyone knows.
+const MethodInfo& classical_explicit();
+/// Of high order, with a fixed step or tolerances, and without equations to solve.
+const MethodInfo& accurate_explicit();
+/// Embedded pairs, with tolerances and an `order` of 5 or 8 among others. They have nothing in common with
+/// `accurate_explicit` but the forces.
+const MethodInfo& embedded_explicit();
+/// One implicit stage with a fixed step of any length, damped (MethodInfo::damps_with).
+const MethodInfo& usual_implicit();
+/// Of high order with a fixed step of any length, unlike any explicit method.
+const MethodInfo& accurate_implicit();
+/// Of keeps_energy.
+const MethodInfo& energy_keeping();
+/// The one that a rigid rod is integrated by.
+const MethodInfo& rigid_rod_method();
+
+/// Names of a few as unlike as can be, for a comparison of seconds.
+std::vector<std::string> few_unlike_methods();
+
+}  // namespace plumb
