@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/base/known_time.h"
+#include "engine/integrate/trajectory.h"
 #include "engine/read/given_probes.h"
 
 namespace plumb {

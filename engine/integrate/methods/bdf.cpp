@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/methods/bdf_formula.h"
-#include "engine/integrate/methods/fixed_steps.h"
 #include "engine/integrate/methods/implicit_stage.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/integrate/state_at.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/method.h"
-#include "engine/integrate/methods/fixed_steps.h"
 #include "engine/integrate/methods/step_control.h"
 
 namespace plumb {

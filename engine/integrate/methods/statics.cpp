@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/integrate/methods/fixed_steps.h"
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/model/cable.h"
 #include "engine/model/compression_limit.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/integrate/methods/fixed_steps.h"
+#include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/sundials/library_method.h"
 
 namespace plumb::sundials {
