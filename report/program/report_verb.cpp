@@ -6,9 +6,11 @@
 #include "report/program/rebuild_report.h"
 #include "report/program/run_pipeline.h"
 #include "report/program/run_sections.h"
+#include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "report/program/work_precision_pipeline.h"
+#include "report/study/work_precision/work_precision_study.h"
 
 namespace plumb {
 
@@ -21,15 +23,15 @@ ExitStatus report_verb(const Options& options, Talk& talk) {
   Stages stages;
   stages.begin("reading");
   if (is_study(options.input)) {
-    const Study study = find_study(options.input);
+    const std::unique_ptr<MadeStudy> study = made_study(find_study(options.input));
     OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
-    return report_study(study, folder, stages, options, talk);
+    return report_on(*study, folder, stages, options, talk);
   }
   if (const auto json = study_json_at(options.input)) {
     const StudyKind& kind = kind_of_study_json(*json);
     refuse_changed_text(json->text, json->name);
     OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
-    return kind.report(json->text, folder, stages, options, talk);
+    return report_on(*kind.read(json->text, json->name), folder, stages, options, talk);
   }
   Run run = find_run(options.input);
   check_estimate(run.loaded.spec, {.writes_run = true, .draws = true}, options.input,

@@ -4,21 +4,41 @@
 #include "report/program/run_pipeline.h"
 
 namespace plumb {
+namespace {
 
-void put_in_place(const StudyReport& report, const StudySection& section, OutputFolder& folder,
-                  Stages& stages) {
-  folder.write("index.html", to_page(report, section));
-  write_formats(content_of(report), folder);
-  folder.commit();
-  stages.end();
+void say(const Finding& finding, Talk& talk) {
+  using Mood = Finding::Mood;
+  const std::string& mark = finding.mark;
+  talk.line((finding.mood == Mood::good    ? talk.good(mark)
+             : finding.mood == Mood::bad   ? talk.bad(mark)
+             : finding.mood == Mood::faint ? talk.faint(mark)
+                                           : mark) +
+            finding.text);
 }
 
-ExitStatus say_end(const StudyReport& report, const OutputFolder& folder, const Stages& stages,
-                   const Options& options, Talk& talk) {
+}  // namespace
+
+ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stages, const Options& options,
+                     Talk& talk) {
+  const auto [name, bytes] = study.file();
+  folder.write(name, bytes);
+  stages.begin("figures");
+  draw_figures(study.figures_beside(), study.title(), folder);
+  const std::vector<Picture> pictures = draw_figures(study.figures(), study.title(), folder);
+  stages.end();
+  const StudyReport report = study.report(stages);
+  stages.begin("report");
+  folder.write("index.html", to_page(report, study.section(pictures)));
+  const ReportContent content = content_of(report);
+  write_formats(content, folder);
+  folder.commit();
+  stages.end();
+  for (const Finding& finding : study.findings()) say(finding, talk);
+  if (study.says_verdicts()) say_verdicts(report.verdicts, talk);
   talk.line(report.headline);
   say_stages(stages, talk);
   talk.line("report: " + folder.path() + "/index.html");
-  if (options.json) write_to_standard_output(to_json(content_of(report).document, false));
+  if (options.json) write_to_standard_output(to_json(content.document, false));
   if (!report.complete) return ExitStatus::solver_failed;
   return all_passed(report.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;
 }

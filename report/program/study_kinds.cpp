@@ -11,23 +11,12 @@
 #include "engine/base/message.h"
 #include "engine/base/nearest.h"
 #include "engine/base/parse_json.h"
-#include "engine/study/economy/economy_study_json.h"
-#include "engine/study/stability/stability_file.h"
 
 namespace plumb {
 
 std::span<const StudyKind> study_kinds() {
-  static const std::vector<StudyKind> all{
-      {"work-precision", "_study", [](const Case& spec) { return spec.work_precision.has_value(); },
-       work_precision_study, nullptr},
-      {stability_kind, "_stability", [](const Case& spec) { return spec.stability.has_value(); },
-       stability_study, stability_report},
-      {"variants", "_variants", [](const Case& spec) { return !spec.variants.empty(); }, variants_study,
-       variants_report},
-      {"sweep", "_sweep", [](const Case& spec) { return spec.sweep.has_value(); }, sweep_study, sweep_report},
-      {economy_kind, "_economy", [](const Case& spec) { return spec.economy.has_value(); }, economy_study,
-       economy_report},
-  };
+  static const std::vector<StudyKind> all{work_precision_kind(), stability_kind_of_study(), variants_kind(),
+                                          sweep_kind(), economy_kind_of_study()};
   return all;
 }
 
@@ -65,7 +54,7 @@ const StudyKind& kind_of_study_json(const NamedText& json) {
                                ? value["kind"].get<std::string>()
                                : std::string();
   for (const StudyKind& kind : study_kinds())
-    if (kind.report != nullptr && kind.name == name) return kind;
+    if (kind.read != nullptr && kind.name == name) return kind;
   throw InputError(one_line(fmt::format("{}: holds no study of this program", json.name)));
 }
 

@@ -8,6 +8,7 @@
 #include "report/program/output_use.h"
 #include "report/program/run_pipeline.h"
 #include "report/program/scene_choice.h"
+#include "report/program/study_end.h"
 #include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 
@@ -39,7 +40,9 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
     talk.progress(part, share);
   });
   try {
-    const ExitStatus status = kind.study(loaded, runner, folder, stages, options, talk);
+    const std::unique_ptr<MadeStudy> made = kind.make(loaded, runner);
+    talk.end_progress();
+    const ExitStatus status = report_on(*made, folder, stages, options, talk);
     points.remove();
     return status;
   } catch (const Interrupted&) {

@@ -24,8 +24,4 @@ Study find_study(const std::string& path);
 /// True for the path to a study.h5, or to a folder with one and no run.h5.
 bool is_study(const std::string& path);
 
-/// All that follows a study: verdicts and report, with the folder put in place and the findings said.
-ExitStatus report_study(const Study& study, OutputFolder& folder, Stages& stages, const Options& options,
-                        Talk& talk);
-
 }  // namespace plumb

@@ -1,0 +1,45 @@
+#include "engine/study/economy/economy_study_json.h"
+#include "engine/study/economy/run_economy.h"
+#include "report/study/economy/economy_gauge.h"
+#include "report/study/economy/economy_results.h"
+#include "report/study/made_study.h"
+
+namespace plumb {
+namespace {
+
+class MadeEconomy : public MadeStudy {
+ public:
+  explicit MadeEconomy(EconomyStudy study) : study_(std::move(study)) {}
+
+  std::string title() const override { return study_.loaded.spec.title; }
+  std::pair<std::string, std::string> file() const override {
+    return {study_json_name, encode_economy_study(study_)};
+  }
+  std::vector<Figure> figures() const override { return economy_study_figures(study_); }
+  StudyReport report(const Stages& stages) const override { return evaluate_economy(study_, stages); }
+  StudySection section(const std::vector<Picture>& pictures) const override {
+    return shown_economy(study_, pictures);
+  }
+  std::vector<Finding> findings() const override {
+    std::vector<Finding> lines;
+    for (const std::string& line : need_lines(study_)) lines.push_back({line});
+    return lines;
+  }
+
+ private:
+  EconomyStudy study_;
+};
+
+}  // namespace
+
+StudyKind economy_kind_of_study() {
+  return {economy_kind, "_economy", [](const Case& spec) { return spec.economy.has_value(); },
+          [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
+            return std::make_unique<MadeEconomy>(run_economy(loaded, gauge_maker, runner));
+          },
+          [](const std::string& json, const std::string& file) -> std::unique_ptr<MadeStudy> {
+            return std::make_unique<MadeEconomy>(decode_economy_study(json, file));
+          }};
+}
+
+}  // namespace plumb
