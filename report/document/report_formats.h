@@ -29,7 +29,8 @@ struct ReportFormat {
   std::string (*text)(const ReportContent& content);
 };
 
-/// All of them, results.json first. A new one has a line here, and its name in the survey of folders.
+/// All of them, results.json first. A new one has its line in report_formats.cpp, and its name among the
+/// page_names of engine/base/folder_survey.cpp.
 std::span<const ReportFormat> report_formats();
 
 /// Writes a file of each. Throws OutputError.

@@ -14,9 +14,16 @@
 
 namespace plumb {
 
+// Every kind, the one that serves where a case asks for none first.
+#define PLUMB_STUDIES(study) \
+  study(work_precision) study(stability) study(variants) study(sweep) study(economy)
+
+#define PLUMB_DECLARE(name) StudyKind name##_study();
+PLUMB_STUDIES(PLUMB_DECLARE)
+
 std::span<const StudyKind> study_kinds() {
-  static const std::vector<StudyKind> all{work_precision_kind(), stability_kind_of_study(), variants_kind(),
-                                          sweep_kind(), economy_kind_of_study()};
+#define PLUMB_LIST(name) name##_study(),
+  static const std::vector<StudyKind> all{PLUMB_STUDIES(PLUMB_LIST)};
   return all;
 }
 

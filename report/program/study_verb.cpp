@@ -2,7 +2,6 @@
 
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
-#include "engine/study/economy/economy_study_json.h"
 #include "report/program/kept_points.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
@@ -25,7 +24,7 @@ ExitStatus study_verb(const Options& options, Talk& talk) {
   check_estimate(loaded.spec, {.draws = true, .study = kind.name, .frames = 0}, loaded.source.file.name, path,
                  options, talk);
   // What a scene needs is the question of that study, and the answer to start from for others.
-  if (loaded.spec.method.name == scene_method && kind.name != economy_kind)
+  if (loaded.spec.method.name == scene_method && !kind.asks_what_a_scene_needs)
     loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, talk);
   if (loaded.spec.cable.model == CableModel::rigid)
     throw InputError(loaded.source.file.name +

@@ -44,20 +44,15 @@ inline constexpr const char* study_json_name = "study.json";
 
 /// A kind of study: `plumb study CASE KIND`.
 struct StudyKind {
-  std::string name;                     ///< "work-precision"
-  std::string folder;                   ///< what the default output folder has after the case's name
-  bool (*asked_for)(const Case& spec);  ///< the case has its table
+  std::string name;                      ///< "work-precision"
+  std::string folder;                    ///< what the default output folder has after the case's name
+  bool (*asked_for)(const Case& spec);   ///< the case has its table
+  bool asks_what_a_scene_needs = false;  ///< for others, that is the answer to start from
   /// Throws InputError where the case has nothing for it.
   std::unique_ptr<MadeStudy> (*make)(const LoadedCase& loaded, Runner& runner);
   /// From the text of study.json, which names this kind; nullptr for a study that is kept in study.h5. Throws
   /// InputError, naming the file, for anything that it does not write.
   std::unique_ptr<MadeStudy> (*read)(const std::string& json, const std::string& file);
 };
-
-StudyKind work_precision_kind();
-StudyKind stability_kind_of_study();
-StudyKind variants_kind();
-StudyKind sweep_kind();
-StudyKind economy_kind_of_study();
 
 }  // namespace plumb

@@ -12,7 +12,8 @@
 
 namespace plumb {
 
-/// Version of results.json; rises when a key changes its meaning or goes away.
+/// Version of results.json; rises when a key changes its meaning or goes away. One that is added is
+/// missing in earlier documents: it is to be read with a default.
 inline constexpr int results_version = 2;
 
 /// Everything a report says, apart from how it looks.

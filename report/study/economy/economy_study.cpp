@@ -32,8 +32,13 @@ class MadeEconomy : public MadeStudy {
 
 }  // namespace
 
-StudyKind economy_kind_of_study() {
-  return {economy_kind, "_economy", [](const Case& spec) { return spec.economy.has_value(); },
+StudyKind economy_study();
+
+StudyKind economy_study() {
+  return {economy_kind,
+          "_economy",
+          [](const Case& spec) { return spec.economy.has_value(); },
+          true,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeEconomy>(run_economy(loaded, gauge_maker, runner));
           },

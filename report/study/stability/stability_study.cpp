@@ -38,8 +38,13 @@ class MadeStability : public MadeStudy {
 
 }  // namespace
 
-StudyKind stability_kind_of_study() {
-  return {stability_kind, "_stability", [](const Case& spec) { return spec.stability.has_value(); },
+StudyKind stability_study();
+
+StudyKind stability_study() {
+  return {stability_kind,
+          "_stability",
+          [](const Case& spec) { return spec.stability.has_value(); },
+          false,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeStability>(StabilityStudyFile{loaded, run_stability(loaded, runner)});
           },

@@ -37,8 +37,13 @@ class MadeSweep : public MadeStudy {
 
 }  // namespace
 
-StudyKind sweep_kind() {
-  return {"sweep", "_sweep", [](const Case& spec) { return spec.sweep.has_value(); },
+StudyKind sweep_study();
+
+StudyKind sweep_study() {
+  return {"sweep",
+          "_sweep",
+          [](const Case& spec) { return spec.sweep.has_value(); },
+          false,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeSweep>(run_sweep(loaded, runner));
           },

@@ -47,8 +47,13 @@ class MadeVariants : public MadeStudy {
 
 }  // namespace
 
-StudyKind variants_kind() {
-  return {"variants", "_variants", [](const Case& spec) { return !spec.variants.empty(); },
+StudyKind variants_study();
+
+StudyKind variants_study() {
+  return {"variants",
+          "_variants",
+          [](const Case& spec) { return !spec.variants.empty(); },
+          false,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             if (loaded.spec.variants.empty())
               throw InputError(loaded.source.file.name + ": has no [[study.variant]] to run");

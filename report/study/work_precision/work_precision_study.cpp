@@ -112,8 +112,13 @@ std::unique_ptr<MadeStudy> made_study(Study study) {
   return std::make_unique<MadeWorkPrecision>(std::move(study));
 }
 
-StudyKind work_precision_kind() {
-  return {"work-precision", "_study", [](const Case& spec) { return spec.work_precision.has_value(); },
+StudyKind work_precision_study();
+
+StudyKind work_precision_study() {
+  return {"work-precision",
+          "_study",
+          [](const Case& spec) { return spec.work_precision.has_value(); },
+          false,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return made_study({loaded, run_work_precision(loaded.spec, false, runner)});
           },
