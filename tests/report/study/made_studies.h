@@ -1,0 +1,86 @@
+#pragma once
+
+#include <limits>
+
+#include "engine/study/economy/run_economy.h"
+#include "engine/study/sweep/sweep.h"
+#include "engine/study/variants/run_variants.h"
+#include "tests/engine/study/sweep/tiny_sweep.h"
+#include "tests/report/made_run.h"
+
+/// Studies made by hand, of numbers that no integration gave.
+namespace plumb {
+
+/// Two runs of one method, one of which is infinitely far off.
+inline Sweep made_sweep() {
+  Sweep sweep;
+  sweep.loaded = tiny_sweep_case();
+  sweep.spec = {2, 1, 0.01, 0.2};
+  for (long number = 0; number < 2; ++number) {
+    SweepRun run;
+    run.number = number;
+    run.overrides = {"method.name=rk4"};
+    run.method = "rk4";
+    run.outcome = number == 0 ? Outcome::accurate : Outcome::unstable;
+    run.error = number == 0 ? 1e-3 : std::numeric_limits<double>::infinity();
+    sweep.runs.push_back(run);
+  }
+  sweep.provenance = {{"program", "test"}};
+  return sweep;
+}
+
+/// One variant, which fails as expected, but earlier.
+inline VariantsStudy made_variants() {
+  VariantResult variant;
+  variant.spec.name = "slow";
+  variant.spec.overrides = {"method.step=0.2"};
+  variant.spec.outcome = "unstable";
+  variant.run = run_with("made").loaded.spec;
+  variant.trajectory.outcome = Outcome::unstable;
+  variant.trajectory.message = "it grew";
+  variant.trajectory.end_time = 0.5;
+  variant.trajectory.times = {0, 0.5};
+  variant.trajectory.energies = {{2, 0, 0, 0}, {3, 0, 0, 0}};
+  variant.probes.times = variant.trajectory.times;
+  variant.probes.columns = {{"tip.x", "m", {1, 2}}};
+  variant.expectations = {{{"end-time", "", 1.2, 0.05, "a closed form"}, "s", 0.5}};
+  variant.spec.expectations = {variant.expectations[0].expected};
+  const CaseSource plain = run_with("made").loaded.source;
+  const LoadedCase loaded = load_case({{"case.toml", plain.file.text + R"([[study.variant]]
+name = "slow"
+set = { method.step = 0.2 }
+outcome = "unstable"
+[[study.variant.expect]]
+quantity = "end-time"
+value = 1.2
+within = 0.05
+source = "a closed form"
+)"},
+                                       {},
+                                       plain.references});
+  return {loaded, {"Made", {variant}, {{"program", "test"}}}};
+}
+
+/// One picture with one rung, and one random scene.
+inline EconomyStudy made_economy_study() {
+  EconomyStudy study;
+  study.loaded = tiny_sweep_case();
+  study.spec = economy_study_of(study.loaded.spec);
+  study.reference = "one";
+  SceneNeed need;
+  need.name = "320 by 180";
+  TriedRung rung;
+  rung.rung.cable = study.loaded.spec.cable;
+  rung.rung.method = study.loaded.spec.method;
+  rung.outcome = Outcome::completed;
+  rung.estimate = 0.25;
+  rung.why = "the cheapest";
+  need.economy.tried = {rung};
+  need.economy.chosen = 0;
+  study.needs = {need};
+  study.scenes = {{1, {"scene.size=[320,180]"}, "rk4", 0.5, true, 0.1, 0.05, 0.01, 0.001, 0.1, ""}};
+  study.provenance = {{"program", "test"}};
+  return study;
+}
+
+}  // namespace plumb
