@@ -17,7 +17,6 @@ namespace {
 // What was measured of the program, rounded up.
 constexpr double program_bytes = 20e6;
 constexpr double renderer_bytes = 130e6;        // an OpenGL context in software and the fonts
-constexpr double renderer_mapped = 650e6;       // address space of its libraries and threads
 constexpr double column_bytes = 6000;           // of a data set in an HDF5 file
 constexpr double number_text_bytes = 20;        // of a number in a table of text
 constexpr double report_bytes_an_output = 900;  // of results.json and the tables behind figures
@@ -237,7 +236,7 @@ class Estimating {
     const SceneSpec& scene = spec_.scene;
     constexpr const char* stage = "pictures";
     add(Resource::memory, stage, "the renderer", "", renderer_bytes);
-    result_.drawing_address_space = renderer_mapped;
+    result_.drawing_address_space = renderer_address_space;
     const double pixels = 1.0 * scene.size[0] * scene.size[1];
     const double all_frames = std::floor(spec_.time.end * scene.frame_rate) + 1;
     const double frames = work_.frames >= 0 ? std::min(work_.frames, all_frames) : all_frames;

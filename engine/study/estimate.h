@@ -27,6 +27,9 @@ struct EstimatedPart {
   double amount;     ///< ≥ 0
 };
 
+/// Address space that drawing maps, libraries and threads of the renderer, bytes: measured, rounded up.
+inline constexpr double renderer_address_space = 650e6;
+
 /// What a command is expected to take: memory and disk within a factor of two, time within a factor of ten
 /// where steps are given, and at least that where a method chooses them.
 struct Estimate {

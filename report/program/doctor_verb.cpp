@@ -7,6 +7,7 @@
 #include "engine/run/provenance.h"
 #include "render/gl/environment.h"
 #include "render/gl/gl_context.h"
+#include "report/program/limits.h"
 #include "report/program/print_json.h"
 #include "report/program/verbs.h"
 
@@ -33,6 +34,7 @@ Json method_json(const MethodInfo& method) {
 }  // namespace
 
 ExitStatus doctor_verb(const Options& options, Talk& talk) {
+  refuse_no_room_to_draw();
   const GlContext context;
   const GlInfo& gl = context.info();
   const Provenance provenance = provenance_now();

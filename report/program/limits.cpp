@@ -220,6 +220,16 @@ Estimate check_estimate(const Case& spec, const PlannedWork& work, const std::st
   return made;
 }
 
+void refuse_no_room_to_draw() {
+  std::vector<Bound> bounds;
+  add_address_space(bounds);
+  for (const Bound& bound : bounds)
+    if (bound.amount < renderer_address_space)
+      throw OutputError(
+          fmt::format("drawing would take some {:.0f} MB of address space, more than {}, {:.0f} MB",
+                      renderer_address_space / 1e6, bound.source, bound.amount / 1e6));
+}
+
 PlannedWork work_of_run(const Case& spec) {
   const bool solves = !reports_given_run(spec);
   return {.solves = solves,

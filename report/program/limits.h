@@ -37,6 +37,9 @@ void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, c
 Estimate check_estimate(const Case& spec, const PlannedWork& work, const std::string& name,
                         const std::string& folder, const Options& options, Talk& talk);
 
+/// Throws OutputError where less address space is left than drawing maps: the renderer does not survive that.
+void refuse_no_room_to_draw();
+
 /// What `plumb run` does with a case.
 PlannedWork work_of_run(const Case& spec);
 
