@@ -9,6 +9,7 @@
 #include "engine/base/hdf5.h"
 #include "engine/base/message.h"
 #include "engine/integrate/trajectory.h"
+#include "engine/read/changed_case.h"
 #include "engine/read/given_table.h"
 #include "engine/read/stored_source.h"
 

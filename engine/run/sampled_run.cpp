@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/integrate/method_info.h"
+#include "engine/run/probes.h"
 
 namespace plumb {
 namespace {
