@@ -128,5 +128,18 @@ TEST(StudyRun, AStudyThatIsDoneIsNotRunAgainAndKeepsItsTimes) {
   for (std::size_t k = 0; k < first.runs.size(); ++k) EXPECT_EQ(again.runs[k].seconds, first.runs[k].seconds);
 }
 
+TEST(StudyRun, TakesNothingOverFromAQuickOneThatHadTooLittleTime) {
+  LoadedCase loaded = tiny_study_case();
+  WorkPrecisionSpec& spec = *loaded.spec.work_precision;
+  spec.quick = spec.full;
+  spec.quick.time_limit = 1e-9;
+  Journal journal;
+  Runner runner(journal);
+  const WorkPrecision quick = run_work_precision(loaded.spec, true, runner);
+  EXPECT_FALSE(quick.converged_reference.certified) << "it had the time that it needs";
+  expect_same(run_work_precision(loaded.spec, false, runner),
+              run_work_precision(loaded.spec, false, InMemory()));
+}
+
 }  // namespace study_run_test
 }  // namespace plumb
