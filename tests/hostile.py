@@ -430,7 +430,8 @@ def surroundings(t):
     t.command = t.rng.choice([["solve", "solved.toml", "-o", "out"], ["check", "case.toml"], ["run", "case.toml", "-o", "out"], ["doctor"]])
     kind = t.rng.randrange(8)
     if kind == 0:
-        t.environment = {t.rng.choice(["PLUMB_GL", "TMPDIR", "HOME", "LANG", "LC_ALL", "NO_COLOR", "COLUMNS"]):  # not OMP_NUM_THREADS, of which a library speaks before the program begins
+        # Not OMP_NUM_THREADS, of which a library speaks before the program begins.
+        t.environment = {t.rng.choice(["PLUMB_GL", "TMPDIR", "HOME", "LANG", "LC_ALL", "NO_COLOR", "COLUMNS"]):
                          t.rng.choice(["", "bad", "/nonexistent", "0", "-1", "999999999", "x" * 5000])}
     elif kind == 1:
         t.limits[resource.RLIMIT_NOFILE] = t.rng.choice([3, 4, 5, 6, 8, 12, 16])

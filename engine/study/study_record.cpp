@@ -8,9 +8,7 @@
 #include "engine/base/errors.h"
 #include "engine/base/message.h"
 #include "engine/base/parse_json.h"
-#include "engine/read/case_sections.h"
 #include "engine/run/case_source_json.h"
-#include "engine/run/provenance.h"
 
 namespace plumb {
 

@@ -34,12 +34,6 @@ E value_of(const Json& json) {
   throw std::runtime_error("no such word: " + text);
 }
 
-Outcome outcome_of(const std::string& text) {
-  for (const Outcome outcome : outcomes())
-    if (word(outcome) == text) return outcome;
-  throw std::runtime_error("no such outcome: " + text);
-}
-
 Json cable_json(const CableSpec& cable) {
   return {{"model", word(cable.model)},
           {"elements", cable.elements},
@@ -136,7 +130,7 @@ TriedRung tried_rung_of(const Json& json) {
   tried.rung.cable = cable_of(json.at("cable"));
   tried.rung.method = method_of(json.at("method"));
   tried.rung.work = json.at("predicted_work").get<double>();
-  tried.outcome = outcome_of(json.at("outcome").get<std::string>());
+  tried.outcome = outcome_named(json.at("outcome").get<std::string>());
   tried.message = json.at("message").get<std::string>();
   tried.seconds = json.at("seconds").get<double>();
   tried.estimate = pixels(json.at("estimated_picture_error"));

@@ -4,7 +4,6 @@
 
 #include "engine/base/errors.h"
 #include "engine/integrate/integrate.h"
-#include "engine/integrate/state_at.h"
 #include "engine/study/economy/economy_study_json.h"
 #include "engine/study/economy/run_economy.h"
 #include "engine/study/sweep/run_sweep.h"
@@ -16,6 +15,7 @@
 #include "engine/study/variants/run_variants.h"
 #include "engine/study/variants/variants_file.h"
 #include "engine/study/work_precision/work_precision_members.h"
+#include "tests/engine/study/economy/tips_along_z.h"
 #include "tests/engine/study/journal_file.h"
 #include "tests/engine/study/stability/tiny_stability.h"
 #include "tests/engine/study/sweep/tiny_sweep.h"
@@ -142,22 +142,6 @@ set = { method.step = 0.01 }
       [&](Runner& runner) { return Json::parse(encode_variants(run_variants(loaded, runner))); }, 4);
 }
 
-/// The distance of the tips along two axes, for want of a camera.
-MakeGauge tips_of(const Case& spec) {
-  const double frame_rate = spec.scene.frame_rate;
-  return [frame_rate](const Trajectory& truth) -> PictureErrors {
-    return [&truth, frame_rate](const Trajectory& drawn) {
-      std::vector<double> errors;
-      for (double t = 0; t <= truth.times.back() + 1e-9; t += 1 / frame_rate) {
-        const double at = std::min(t, truth.times.back());
-        const Eigen::VectorXd a = state_at(drawn, at).q, b = state_at(truth, at).q;
-        errors.push_back(100 * (a.tail<6>().head<2>() - b.tail<6>().head<2>()).norm());
-      }
-      return errors;
-    };
-  };
-}
-
 TEST(InterruptedStudy, OfScenesGoesOn) {
   const LoadedCase loaded = tiny_study_case(R"(
 [scene]
@@ -167,9 +151,10 @@ widths = [160, 320]
 reference_elements = 4
 scenes = 3
 )");
+  const auto gauge_of = [](const Case& spec) { return tips_along_z(100, spec.scene.frame_rate); };
   expect_same_after_interruption(
       [&](Runner& runner) {
-        Json json = Json::parse(encode_economy_study(run_economy(loaded, tips_of, runner)));
+        Json json = Json::parse(encode_economy_study(run_economy(loaded, gauge_of, runner)));
         json.erase("safe_end");  // reached in the time allowed
         return json;
       },

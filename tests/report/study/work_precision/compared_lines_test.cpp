@@ -60,7 +60,7 @@ TEST(StudyLines, SayWhyARunIsInTrouble) {
 }
 
 TEST(StudyLines, ChosenOnesAreThoseOnTheFrontAndOneOfEachFamily) {
-  MadeStudy made;
+  MadeCurves made;
   for (int k = 0; k < 20; ++k)
     made.curve("slow " + std::to_string(k), MethodFamily::explicit_one_step, 4, 2, 100 + k, 1e-3);
   made.curve("front", MethodFamily::explicit_one_step, 4, 4, 1, 1e-8);
@@ -77,7 +77,7 @@ TEST(StudyLines, AllAreChosenWhereThereIsRoom) {
 }
 
 TEST(CurveStyle, IsTheSameOnEveryMeshAndNoTwoMethodsShareOne) {
-  MadeStudy made;
+  MadeCurves made;
   for (int k = 0; k < 40; ++k)
     for (const MethodFamily family : {MethodFamily::explicit_one_step, MethodFamily::structural})
       made.curve(std::string(word(family)) + std::to_string(k), family, 4 + 4 * (k % 2), 2, 1, 1e-6, 1);

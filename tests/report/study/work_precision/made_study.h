@@ -10,9 +10,9 @@ namespace plumb {
 
 /// A study made by hand, of numbers that no integration gave: methods of exact orders on meshes of exact
 /// order 2, with a run of each kind of trouble.
-class MadeStudy {
+class MadeCurves {
  public:
-  MadeStudy() {
+  MadeCurves() {
     study_.title = "made";
     study_.fixed_elements = 4;
     study_.end = 1;
@@ -41,8 +41,8 @@ class MadeStudy {
   }
 
   /// A curve of `order` whose error is `factor` h^order for steps h = 0.01, 0.005, …; a step costs `cost` s.
-  MadeStudy& curve(const std::string& label, MethodFamily family, int elements, double order, double factor,
-                   double cost, int points = 5) {
+  MadeCurves& curve(const std::string& label, MethodFamily family, int elements, double order, double factor,
+                    double cost, int points = 5) {
     StudyCurve& curve = study_.curves.emplace_back();
     curve.label = label;
     curve.method = label;
@@ -70,7 +70,7 @@ class MadeStudy {
   }
 
   /// Another run at the start of the last curve, which did not complete.
-  MadeStudy& failed(Outcome outcome, const std::string& message) {
+  MadeCurves& failed(Outcome outcome, const std::string& message) {
     StudyRun run;
     run.method = study_.runs.back().method;
     run.method.step = 0.1;
@@ -84,7 +84,7 @@ class MadeStudy {
   }
 
   /// Another one, which completed and is half a length off.
-  MadeStudy& wrong() {
+  MadeCurves& wrong() {
     failed(Outcome::completed, "");
     StudyRun& run = study_.runs.back();
     run.method.step = 0.05;
@@ -105,7 +105,7 @@ class MadeStudy {
 };
 
 inline WorkPrecision made_study() {
-  MadeStudy made;
+  MadeCurves made;
   for (const int elements : {4, 8}) {
     made.curve("first", MethodFamily::structural, elements, 1, 1, 1e-7);
     made.curve("second", MethodFamily::explicit_one_step, elements, 2, 10, 2e-7);

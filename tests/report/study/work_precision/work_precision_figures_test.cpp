@@ -165,7 +165,7 @@ void expect_drawable(const WorkPrecision& study, const std::string& name) {
 
 TEST(StudyFigures, OfManyCurvesCanBeDrawn) {
   expect_drawable(made_study(), "study");
-  MadeStudy many;
+  MadeCurves many;
   for (int k = 0; k < 24; ++k) {
     many.curve("method " + std::to_string(k), static_cast<MethodFamily>(k % 5), 4, 1 + k % 5, 1 + k,
                1e-7 * (1 + k));
@@ -175,7 +175,7 @@ TEST(StudyFigures, OfManyCurvesCanBeDrawn) {
 }
 
 TEST(StudyFigures, OfFailuresOnlyOfOneRunOnlyAndOfNothingCanBeDrawn) {
-  MadeStudy failures;
+  MadeCurves failures;
   failures.curve("never", MethodFamily::structural, 4, 2, 1, 1e-6, 0);
   StudyRun run;
   WorkPrecision study = failures.judged();
@@ -192,9 +192,9 @@ TEST(StudyFigures, OfFailuresOnlyOfOneRunOnlyAndOfNothingCanBeDrawn) {
       << "also the one that was not timed";
   expect_drawable(study, "study_failures");
 
-  expect_drawable(MadeStudy().curve("once", MethodFamily::structural, 4, 2, 1, 1e-6, 1).judged(),
+  expect_drawable(MadeCurves().curve("once", MethodFamily::structural, 4, 2, 1, 1e-6, 1).judged(),
                   "study_one");
-  expect_drawable(MadeStudy().judged(), "study_mesh_only");
+  expect_drawable(MadeCurves().judged(), "study_mesh_only");
   EXPECT_TRUE(study_figures(WorkPrecision{}).empty());
 }
 

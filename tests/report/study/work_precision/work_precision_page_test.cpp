@@ -118,7 +118,7 @@ TEST(StudyPage, AsksNothingOfAnywhere) {
 
 TEST(StudyPage, EscapesWhatLabelsAndMessagesSay) {
   const std::string evil = "</script><script>alert(\"1\")</script><!-- & '";
-  MadeStudy made;
+  MadeCurves made;
   made.curve(evil, MethodFamily::structural, 4, 2, 1, 1e-6).failed(Outcome::unstable, evil);
   WorkPrecision study = made.judged();
   study.title = evil;
@@ -135,7 +135,7 @@ TEST(StudyPage, EscapesWhatLabelsAndMessagesSay) {
 }
 
 TEST(StudyPage, LeavesNoTemplateTagBehind) {
-  for (const WorkPrecision& study : {made_study(), MadeStudy().judged(), WorkPrecision{}}) {
+  for (const WorkPrecision& study : {made_study(), MadeCurves().judged(), WorkPrecision{}}) {
     const std::string page = page_of(study);
     const std::string body = page.substr(0, page.find("<script"));
     EXPECT_EQ(body.find("{{"), body.npos);
