@@ -271,7 +271,7 @@ class Trial:
 
 
 def over_case(t):
-    """A command that reads the case of a given run."""
+    """A command that reads the case of an external run."""
     t.command = t.rng.choice([["check", "case.toml"]] * 6 + [["run", "case.toml", "-o", "out"]])
 
 

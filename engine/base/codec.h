@@ -20,8 +20,8 @@
 /// The one way of every type to JSON and back. A type states its members once, in its own namespace:
 ///
 ///     template <class Archive>
-///     void members(Archive& a, Rung& rung) {
-///       a("elements", rung.elements);
+///     void members(Archive& a, Candidate& candidate) {
+///       a("elements", candidate.elements);
 ///     }
 ///
 /// and an enumeration its values, as `enum_values(E)` beside `word(E)`. What is kept in another form has

@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// A column of a given run, and what it was in its file.
+/// A column of an external run, and what it was in its file.
 struct GivenColumn {
   std::string name;         ///< of the probes: "tip.x"
   std::string file_column;  ///< "X tip"
@@ -18,7 +18,7 @@ struct GivenColumn {
   std::vector<double> values;
 };
 
-/// How a given run ended, where its file says so, as a run file of Plumb's does.
+/// How an external run ended, where its file says so, as a run file of Plumb's does.
 struct GivenEnding {
   std::string outcome;  ///< the word of an outcome: "completed", "unstable"; empty: not known
   std::string message;  ///< what ended it; may be empty
@@ -46,13 +46,13 @@ struct GivenRun {
   const GivenColumn* find(std::string_view name) const;
 };
 
-/// True where a case has no [method]: the first given run is the one that is reported.
+/// True where a case has no [method]: the first external run is the one that is reported.
 bool reports_given_run(const Case& spec);
 
 /// What the reported run is called: "Plumb", or the name of the first given one.
 std::string reported_name(const Case& spec);
 
-/// What computed a given run, in words: "Project Chrono 8 (chrono.csv)", or "chrono.csv".
+/// What computed an external run, in words: "Project Chrono 8 (chrono.csv)", or "chrono.csv".
 std::string computed_by(const GivenRunSpec& spec);
 
 }  // namespace plumb

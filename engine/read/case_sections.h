@@ -40,7 +40,7 @@ struct ReferencesRead {
   std::vector<std::string> remarks;
 };
 
-/// Gives the text of a reference or given run by its `file` key, or why there is none.
+/// Gives the text of a reference or external run by its `file` key, or why there is none.
 using ReferenceText = std::function<FileText(const std::string& file, InputKind kind)>;
 
 /// The reference files of a case, each read once however often the case is, as for each of its variants.
@@ -81,8 +81,8 @@ struct GivenRunsRead {
 GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::string& case_name,
                               const ReferenceText& text_of, const std::vector<ProbeSpec>& probes);
 
-/// Refuses a given run that lacks a column which a comparison or a figure of the case needs, unless its table
-/// says that there is none.
+/// Refuses an external run that lacks a column which a comparison or a figure of the case needs, unless its
+/// table says that there is none.
 void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
                       const std::vector<GivenRun>& runs);
 

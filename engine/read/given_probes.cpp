@@ -61,7 +61,7 @@ ProbeTable probe(const GivenRun& given) {
 ProbeTable probe(const GivenRun& given, const std::vector<double>& times) {
   for (const double t : times)
     if (!(t >= given.times.front() && t <= given.times.back()))
-      throw std::out_of_range("a given run is not known outside its times");
+      throw std::out_of_range("an external run is not known outside its times");
   ProbeTable table;
   table.times = times;
   for (const GivenColumn& column : given.columns) {

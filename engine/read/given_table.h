@@ -9,7 +9,7 @@
 
 namespace plumb {
 
-/// The columns of a file of a given run, each read only when it is asked for.
+/// The columns of a file of an external run, each read only when it is asked for.
 class GivenTable {
  public:
   struct Column {

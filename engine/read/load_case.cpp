@@ -27,7 +27,7 @@ enum class Extent {
   motion,           ///< what the motion depends on, and neither what is compared nor what is drawn
 };
 
-/// In what the case that a given run is of moves otherwise; empty: in nothing, or it is not known.
+/// In what the case that an external run is of moves otherwise; empty: in nothing, or it is not known.
 std::string difference_of_motion(const GivenRun& run, const Case& spec) {
   if (!run.own_case) return "";
   const Case& own = *run.own_case;
@@ -42,7 +42,7 @@ std::string difference_of_motion(const GivenRun& run, const Case& spec) {
   return text;
 }
 
-/// Notes in each given run what it lacks of the case, and which one it repeats.
+/// Notes in each external run what it lacks of the case, and which one it repeats.
 void note_shortcomings(const Case& spec, GivenRunsRead& given) {
   constexpr double rounding = 1e-9;
   std::vector<ProbeTable> tables;
@@ -162,7 +162,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     spec.method = read_method(method, spec.time);
   }
   if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
-  // The method of a given run is not known, nor yet the one that is left to the scene.
+  // The method of an external run is not known, nor yet the one that is left to the scene.
   if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {
     const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
@@ -200,7 +200,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   return loaded;
 }
 
-/// Gives the texts of references and given runs that a source holds, which must outlive it.
+/// Gives the texts of references and external runs that a source holds, which must outlive it.
 ReferenceText texts_of(const CaseSource& source) {
   return [&](const std::string& name, InputKind) {
     for (const auto* files : {&source.references, &source.given_runs})

@@ -61,7 +61,7 @@ TimeSpec read_time(TableReader table, std::optional<double> end) {
   TimeSpec time;
   time.end =
       end ? table.number("end", Range::positive("s"), *end) : table.number("end", Range::positive("s"));
-  // A given run has its own times, and no outputs of ours.
+  // An external run has its own times, and no outputs of ours.
   time.output_interval = end ? table.number("output_interval", Range::positive("s"), time.end)
                              : table.number("output_interval", Range::positive("s"));
   table.finish();

@@ -15,7 +15,7 @@ struct Run {
   Provenance provenance;
 };
 
-/// The first given run of a case without [method] as the run that is reported: ended as its file says, or
+/// The first external run of a case without [method] as the run that is reported: ended as its file says, or
 /// completed where that says nothing, with neither states nor energies nor counters.
 Run reported_run(LoadedCase loaded, Provenance provenance);
 

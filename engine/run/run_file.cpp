@@ -182,7 +182,7 @@ Run read_run(const std::string& path) {
     run.loaded = load_case(read_source(file));
     if (has_states == reports_given_run(run.loaded.spec))
       throw std::runtime_error(has_states ? "it has states, and a case without [method]"
-                                          : "it has neither states nor a given run that is reported");
+                                          : "it has neither states nor an external run that is reported");
     if (!has_states) return reported_run(std::move(run.loaded), std::move(run.provenance));
     const Case& spec = run.loaded.spec;
     if (spec.cable.elements != run.trajectory.elements)

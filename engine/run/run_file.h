@@ -6,7 +6,7 @@
 
 namespace plumb {
 
-/// Version of the layout of run files; a reader refuses a later one. 2: given runs.
+/// Version of the layout of run files; a reader refuses a later one. 2: external runs.
 inline constexpr long run_file_version = 2;
 
 /// The bytes of a run file (HDF5). Each data set has a `unit`; output/README.md describes the layout.

@@ -11,19 +11,21 @@ namespace plumb {
 namespace {
 
 // Places turned once around an axis, by rings that enclose them.
-std::vector<Vec3> turned_around(const std::vector<Vec3>& places, const Stage& stage, const Vec3& axis) {
+std::vector<Vec3> turned_around(const std::vector<Vec3>& places, const Surroundings& surroundings,
+                                const Vec3& axis) {
   constexpr int bins = 64, steps = 32;
-  double low = stage.height(places.front());
+  double low = surroundings.height(places.front());
   double high = low;
   for (const Vec3& place : places) {
-    low = std::min(low, stage.height(place));
-    high = std::max(high, stage.height(place));
+    low = std::min(low, surroundings.height(place));
+    high = std::max(high, surroundings.height(place));
   }
   const double bin = std::max((high - low) / bins, 1e-300);
   std::array<double, bins> reach{};
   for (const Vec3& place : places) {
-    const Vec3 from_axis = stage.on_ground(place) - stage.on_ground(axis);
-    const auto k = static_cast<std::size_t>(std::clamp((stage.height(place) - low) / bin, 0.0, bins - 1.0));
+    const Vec3 from_axis = surroundings.on_ground(place) - surroundings.on_ground(axis);
+    const auto k =
+        static_cast<std::size_t>(std::clamp((surroundings.height(place) - low) / bin, 0.0, bins - 1.0));
     reach[k] = std::max(reach[k], from_axis.norm());
   }
   std::vector<Vec3> rings;
@@ -33,8 +35,9 @@ std::vector<Vec3> turned_around(const std::vector<Vec3>& places, const Stage& st
         const double angle = 2 * std::numbers::pi * i / steps;
         // The polygon's sides, rather than its corners, are as far away as the places.
         const double radius = reach[static_cast<std::size_t>(k)] / std::cos(std::numbers::pi / steps);
-        rings.push_back(stage.on_ground(axis) + stage.up * (low + edge * bin) +
-                        radius * (std::cos(angle) * stage.across + std::sin(angle) * stage.forward));
+        rings.push_back(surroundings.on_ground(axis) + surroundings.up * (low + edge * bin) +
+                        radius *
+                            (std::cos(angle) * surroundings.across + std::sin(angle) * surroundings.forward));
       }
   return rings;
 }
@@ -63,15 +66,16 @@ std::vector<Vec3> around_middle(const Motion& motion, const Vec3& back, const Ve
 
 }  // namespace
 
-CameraPath::CameraPath(const SceneSpec& spec, const Stage& stage, const Motion& motion, double radius,
-                       double aspect, const ViewMargins& margins)
+CameraPath::CameraPath(const SceneSpec& spec, const Surroundings& surroundings, const Motion& motion,
+                       double radius, double aspect, const ViewMargins& margins)
     : motion_(motion),
       view_(spec.camera ? View::fit : spec.view),
-      up_(stage.up),
-      axis_(stage.origin + stage.middle.x() * stage.across + stage.middle.y() * stage.forward) {
+      up_(surroundings.up),
+      axis_(surroundings.origin + surroundings.middle.x() * surroundings.across +
+            surroundings.middle.y() * surroundings.forward) {
   const double around = 3 * radius;  // of the centre line: the tube, its supports, and some air
   const auto along_axis = [&](const Vec3& back, const Vec3& up) {
-    return fitted_parallel_camera(stage.places, around, back, up, aspect, margins);
+    return fitted_parallel_camera(surroundings.places, around, back, up, aspect, margins);
   };
   if (spec.camera) {
     start_ = *spec.camera;
@@ -79,35 +83,35 @@ CameraPath::CameraPath(const SceneSpec& spec, const Stage& stage, const Motion& 
   }
   switch (view_) {
     case View::fit:
-      start_ = fitted_camera(stage.places, around, stage.best_side, up_, aspect, margins);
+      start_ = fitted_camera(surroundings.places, around, surroundings.best_side, up_, aspect, margins);
       break;
     case View::front:
-      start_ = along_axis(stage.forward, up_);
+      start_ = along_axis(surroundings.forward, up_);
       break;
     case View::back:
-      start_ = along_axis(-stage.forward, up_);
+      start_ = along_axis(-surroundings.forward, up_);
       break;
     case View::left:
-      start_ = along_axis(-stage.across, up_);
+      start_ = along_axis(-surroundings.across, up_);
       break;
     case View::right:
-      start_ = along_axis(stage.across, up_);
+      start_ = along_axis(surroundings.across, up_);
       break;
     case View::top:
-      start_ = along_axis(up_, -stage.forward);
+      start_ = along_axis(up_, -surroundings.forward);
       break;
     case View::bottom:
-      start_ = along_axis(-up_, stage.forward);
+      start_ = along_axis(-up_, surroundings.forward);
       break;
     case View::orbit:
-      start_ = fitted_camera(turned_around(stage.places, stage, axis_), around, stage.best_side, up_, aspect,
-                             margins);
+      start_ = fitted_camera(turned_around(surroundings.places, surroundings, axis_), around,
+                             surroundings.best_side, up_, aspect, margins);
       break;
     case View::follow: {
       ViewMargins even = margins;
       even.top = even.bottom = std::min(margins.top, margins.bottom);
-      start_ = fitted_camera(around_middle(motion, stage.best_side, up_), around, stage.best_side, up_,
-                             aspect, even);
+      start_ = fitted_camera(around_middle(motion, surroundings.best_side, up_), around,
+                             surroundings.best_side, up_, aspect, even);
       break;
     }
   }

@@ -11,10 +11,10 @@ namespace plumb {
 /// Where the camera of a scene stands over time.
 class CameraPath {
  public:
-  /// For the cable that `motion` moves (which must outlive it) on a stage, drawn with `radius` (m), in
+  /// For the cable that `motion` moves (which must outlive it) on a surroundings, drawn with `radius` (m), in
   /// pictures of an aspect, width by height.
-  CameraPath(const SceneSpec& spec, const Stage& stage, const Motion& motion, double radius, double aspect,
-             const ViewMargins& margins);
+  CameraPath(const SceneSpec& spec, const Surroundings& surroundings, const Motion& motion, double radius,
+             double aspect, const ViewMargins& margins);
 
   bool moves() const { return view_ == View::orbit || view_ == View::follow; }
   CameraSpec at(double time) const;  ///< time in s

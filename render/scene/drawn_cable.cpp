@@ -23,7 +23,7 @@ double field_step(int elements) {
 
 }  // namespace
 
-Strand::Strand(const SceneRun& run, double radius, ColorField field)
+DrawnCable::DrawnCable(const SceneRun& run, double radius, ColorField field)
     : motion_(*run.trajectory, run.offset),
       radius_(radius),
       supports_(run.supports),
@@ -33,16 +33,16 @@ Strand::Strand(const SceneRun& run, double radius, ColorField field)
     throw OutputError("scene: the cable that colours a run has another number of elements");
 }
 
-std::vector<CurvePoint> Strand::curve(const State& state, const Camera& camera) const {
+std::vector<CurvePoint> DrawnCable::curve(const State& state, const Camera& camera) const {
   return visible_curve(motion_, state.q, camera, curve_tolerance,
                        cable_ ? field_step(motion_.elements()) : std::numeric_limits<double>::infinity());
 }
 
-double Strand::value(const State& state, double place) const {
+double DrawnCable::value(const State& state, double place) const {
   return field_value(*cable_, field_, state.q, state.v, std::min(place / motion_.elements(), 1.0));
 }
 
-FieldRange Strand::field_range() const {
+FieldRange DrawnCable::field_range() const {
   FieldRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   if (!cable_) return range;
   constexpr double enough = 500;  // times
@@ -60,8 +60,8 @@ FieldRange Strand::field_range() const {
   return range;
 }
 
-std::vector<float> Strand::levels(const std::vector<CurvePoint>& curve, const State& state,
-                                  FieldRange range) const {
+std::vector<float> DrawnCable::levels(const std::vector<CurvePoint>& curve, const State& state,
+                                      FieldRange range) const {
   std::vector<float> levels;
   if (!cable_) return levels;
   for (const CurvePoint& point : curve)
@@ -70,13 +70,13 @@ std::vector<float> Strand::levels(const std::vector<CurvePoint>& curve, const St
   return levels;
 }
 
-void Strand::keep_trail(double interval) {
+void DrawnCable::keep_trail(double interval) {
   trail_interval_ = interval;
   const double count = std::min(std::floor(motion_.end() / interval), 1e6);
   for (double k = 0; k <= count; k += 1) tip_path_.push_back(motion_.tip(motion_.state(k * interval)));
 }
 
-std::vector<Vec3> Strand::trail(double from, double to, const State& state) const {
+std::vector<Vec3> DrawnCable::trail(double from, double to, const State& state) const {
   std::vector<Vec3> places;
   const auto count = static_cast<double>(tip_path_.size());
   for (double k = std::max(0.0, std::ceil(from / trail_interval_)); k < count && k * trail_interval_ < to;

@@ -20,11 +20,11 @@ struct FieldRange {
 };
 
 /// One run in a scene, made into what is drawn of it.
-class Strand {
+class DrawnCable {
  public:
   /// `radius` as drawn, m, > 0. `field` colours it where the run has a cable. Throws OutputError where the
   /// run cannot be drawn (see Motion) or its cable is another.
-  Strand(const SceneRun& run, double radius, ColorField field);
+  DrawnCable(const SceneRun& run, double radius, ColorField field);
 
   const Motion& motion() const { return motion_; }
   double radius() const { return radius_; }

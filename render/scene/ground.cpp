@@ -19,12 +19,12 @@ void set3(const GlProgram& program, const char* name, const Vec3& v) {
 
 }  // namespace
 
-Ground::Ground(const GlContext& context, const Stage& stage, double cable_radius, double length,
+Ground::Ground(const GlContext& context, const Surroundings& surroundings, double cable_radius, double length,
                double line_width, Color grid, Color shadow)
     : context_(context.make_current()),
-      stage_(stage),
+      surroundings_(surroundings),
       cable_radius_(cable_radius),
-      shadow_reach_(1.15 * std::max(stage.reach, 0.05 * length) + 10 * cable_radius),
+      shadow_reach_(1.15 * std::max(surroundings.reach, 0.05 * length) + 10 * cable_radius),
       grid_(context, ground_vert, ground_frag),
       shadow_(context, ground_vert, ground_shadow_frag),
       shadow_map_piece_(context, shadow_vert, shadow_frag),
@@ -32,18 +32,19 @@ Ground::Ground(const GlContext& context, const Stage& stage, double cable_radius
       no_attributes_(context),
       shadow_map_(context),
       shadow_framebuffer_(context) {
-  const Eigen::Vector2f middle = stage.middle.cast<float>();
+  const Eigen::Vector2f middle = surroundings.middle.cast<float>();
   for (const GlProgram* program : {&grid_, &shadow_}) {
     program->use();
-    set3(*program, "origin", stage.origin);
-    set3(*program, "across", stage.across);
-    set3(*program, "forward", stage.forward);
+    set3(*program, "origin", surroundings.origin);
+    set3(*program, "across", surroundings.across);
+    set3(*program, "forward", surroundings.forward);
     program->set("middle", middle.x(), middle.y());
-    program->set("radius", static_cast<float>(program == &grid_ ? stage.ground_radius : shadow_reach_));
+    program->set("radius",
+                 static_cast<float>(program == &grid_ ? surroundings.ground_radius : shadow_reach_));
     program->set("ink", program == &grid_ ? grid : shadow);
   }
   grid_.use();
-  grid_.set("grid", static_cast<float>(stage.grid));
+  grid_.set("grid", static_cast<float>(surroundings.grid));
   grid_.set("line_width", static_cast<float>(line_width));
   shadow_map_piece_.use();
   shadow_map_piece_.set("middle", middle.x(), middle.y());
@@ -77,7 +78,7 @@ void Ground::set_tile(Color tile) const {
 }
 
 bool Ground::is_seen() const {
-  return !camera_->is_parallel() || std::abs(camera_->back().dot(stage_.up)) > 1e-6;
+  return !camera_->is_parallel() || std::abs(camera_->back().dot(surroundings_.up)) > 1e-6;
 }
 
 void Ground::draw_grid() const {
@@ -93,9 +94,10 @@ void Ground::cast_shadow(std::span<const std::vector<CurvePoint>> curves) {
   std::vector<float> pieces;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(HUGE_VAL), high = -low;
   const auto add = [&](const CurvePoint& from, const CurvePoint& to) {
-    const Eigen::Vector2d a = stage_.ground_coordinates(from.position);
-    const Eigen::Vector2d b = stage_.ground_coordinates(to.position);
-    const double height = std::max(0.0, (stage_.height(from.position) + stage_.height(to.position)) / 2);
+    const Eigen::Vector2d a = surroundings_.ground_coordinates(from.position);
+    const Eigen::Vector2d b = surroundings_.ground_coordinates(to.position);
+    const double height =
+        std::max(0.0, (surroundings_.height(from.position) + surroundings_.height(to.position)) / 2);
     // A wide light: the higher the cable, the softer and fainter.
     const double blur = cable_radius_ + 0.035 * height;
     const double strength = 0.15 + 0.85 * std::sqrt(cable_radius_ / blur);
@@ -126,7 +128,8 @@ std::optional<Rect> Ground::in_picture(const Eigen::Vector2d& low, const Eigen::
   Rect rect{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const double x : {low.x(), high.x()})
     for (const double y : {low.y(), high.y()}) {
-      const Point p = camera_->pixel(stage_.origin + x * stage_.across + y * stage_.forward);
+      const Point p =
+          camera_->pixel(surroundings_.origin + x * surroundings_.across + y * surroundings_.forward);
       if (!p.allFinite()) return {};
       rect.left = std::min(rect.left, p.x());
       rect.right = std::max(rect.right, p.x());

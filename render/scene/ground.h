@@ -11,14 +11,14 @@
 
 namespace plumb {
 
-/// The ground of a stage: grid lines that fade out, and the cable's soft shadow straight below it.
+/// The ground of a surroundings: grid lines that fade out, and the cable's soft shadow straight below it.
 class Ground {
  public:
-  /// `context` and `stage` must outlive it. `cable_radius` and `length` in m; `line_width` of the grid in
-  /// pixels of what the grid is drawn to; colours of the grid's lines and of the deepest shadow with their
+  /// `context` and `surroundings` must outlive it. `cable_radius` and `length` in m; `line_width` of the grid
+  /// in pixels of what the grid is drawn to; colours of the grid's lines and of the deepest shadow with their
   /// opacity.
-  Ground(const GlContext& context, const Stage& stage, double cable_radius, double length, double line_width,
-         Color grid, Color shadow);
+  Ground(const GlContext& context, const Surroundings& surroundings, double cable_radius, double length,
+         double line_width, Color grid, Color shadow);
 
   /// From where it is seen from now on. `camera` must live as long as it is.
   void look(const Camera& camera);
@@ -40,7 +40,7 @@ class Ground {
   // cannot be told.
   std::optional<Rect> in_picture(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
 
-  const Stage& stage_;
+  const Surroundings& surroundings_;
   const Camera* camera_ = nullptr;
   double cable_radius_;
   double shadow_reach_;  // half the side of the square that the shadow's map covers, m

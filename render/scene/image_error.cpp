@@ -39,10 +39,10 @@ class PairOnPicture {
 
 }  // namespace
 
-PictureGauge::PictureGauge(const Trajectory& truth, const SceneInput& input)
+ImageErrorGauge::ImageErrorGauge(const Trajectory& truth, const SceneInput& input)
     : camera_(truth, input), times_(camera_.frame_times()) {}
 
-std::vector<double> PictureGauge::distances(const Trajectory& drawn) const {
+std::vector<double> ImageErrorGauge::distances(const Trajectory& drawn) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> result(times_.size(), infinity);
   const Motion& truth = camera_.motion();

@@ -12,10 +12,10 @@ namespace plumb {
 /// colours of a field show. Both are seen through the camera of the run that is taken for true, as a camera
 /// that finds its own place would hide that it stands elsewhere. A pair of points of which neither is in the
 /// picture, not even in part of the cable's breadth, does not count.
-class PictureGauge {
+class ImageErrorGauge {
  public:
   /// `truth` must outlive it. Throws OutputError where it cannot be drawn.
-  PictureGauge(const Trajectory& truth, const SceneInput& input);
+  ImageErrorGauge(const Trajectory& truth, const SceneInput& input);
 
   /// One distance for each frame of the true run; infinite where the drawn one cannot be drawn, or is not as
   /// long, and where a point that should be in the picture is behind the camera.

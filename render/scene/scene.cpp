@@ -99,13 +99,14 @@ class SceneRenderer::Drawing {
         theme_(theme(input.spec.theme)),
         width_(input.spec.size[0]),
         height_(input.spec.size[1]),
-        strands_(make_strands(trajectory)),
+        cables_(make_cables(trajectory)),
         tiles_(tiles_of(width_, height_, largest_tile > 0 ? largest_tile : tile_limit(context, input.spec))),
         canvas_(context, tiles_.front().width, tiles_.front().height, input.spec.supersampling),
-        stage_(make_stage(places(), input.length, main().radius(), input.gravity, is_side_by_side())),
+        surroundings_(
+            make_surroundings(places(), input.length, main().radius(), input.gravity, is_side_by_side())),
         painter_(context),
         background_(context, fullscreen_vert, background_frag),
-        ground_(context, stage_, main().radius(), input.length, canvas_.layer_scale(), theme_.grid,
+        ground_(context, surroundings_, main().radius(), input.length, canvas_.layer_scale(), theme_.grid,
                 theme_.shadow),
         tube_(context, tube_vert, tube_frag),
         trail_(context, trail_vert, trail_frag),
@@ -116,10 +117,10 @@ class SceneRenderer::Drawing {
         no_attributes_(context),
         map_(context) {
     make_labels();
-    path_.emplace(input_.spec, stage_, main().motion(), main().radius(),
+    path_.emplace(input_.spec, surroundings_, main().motion(), main().radius(),
                   static_cast<double>(width_) / height_, margins_beside(texts_, width_, height_));
     choose_sides();
-    for (Strand& strand : strands_) strand.keep_trail(1 / (input_.spec.frame_rate * trail_pieces));
+    for (DrawnCable& cable : cables_) cable.keep_trail(1 / (input_.spec.frame_rate * trail_pieces));
     set_constants();
     look(0);
     if (is_still()) {
@@ -131,7 +132,7 @@ class SceneRenderer::Drawing {
   const SceneSpec& spec() const { return input_.spec; }
   const Motion& motion() const { return main().motion(); }
   Camera camera_at(double time) const {
-    return {path_->at(time), width_, height_, stage_.center, stage_.radius};
+    return {path_->at(time), width_, height_, surroundings_.center, surroundings_.radius};
   }
 
   void draw(double time, Image& picture) {
@@ -171,12 +172,12 @@ class SceneRenderer::Drawing {
     std::vector<Layer> layers;
   };
 
-  const Strand& main() const { return strands_.front(); }
+  const DrawnCable& main() const { return cables_.front(); }
 
-  std::deque<Strand> make_strands(const Trajectory& trajectory) const {
-    std::deque<Strand> strands;
+  std::deque<DrawnCable> make_cables(const Trajectory& trajectory) const {
+    std::deque<DrawnCable> cables;
     const auto add = [&](const SceneRun& run) {
-      strands.emplace_back(run, drawn_radius(spec(), run.length, run.radius), spec().color_by);
+      cables.emplace_back(run, drawn_radius(spec(), run.length, run.radius), spec().color_by);
     };
     add({&trajectory,
          input_.length,
@@ -187,7 +188,7 @@ class SceneRenderer::Drawing {
          {0, 0, 0},
          input_.cable});
     for (const SceneRun& run : input_.others) add(run);
-    return strands;
+    return cables;
   }
 
   bool is_side_by_side() const {
@@ -198,8 +199,8 @@ class SceneRenderer::Drawing {
   // All that is to be seen.
   std::vector<Vec3> places() const {
     std::vector<Vec3> all;
-    for (const Strand& strand : strands_) {
-      const std::vector<Vec3> covered = covered_places(strand.motion());
+    for (const DrawnCable& cable : cables_) {
+      const std::vector<Vec3> covered = covered_places(cable.motion());
       all.insert(all.end(), covered.begin(), covered.end());
     }
     for (const ScenePoints& points : input_.points)
@@ -219,7 +220,7 @@ class SceneRenderer::Drawing {
     return theme_.series[other % theme_.series.size()];
   }
 
-  Color trail_color(std::size_t k) const { return strands_.size() == 1 ? theme_.trail : color_of(k); }
+  Color trail_color(std::size_t k) const { return cables_.size() == 1 ? theme_.trail : color_of(k); }
 
   void make_labels() {
     texts_.title = literal(input_.title);
@@ -237,8 +238,8 @@ class SceneRenderer::Drawing {
             {input_.points[k].label, color_of(1 + input_.others.size() + k), Marker::circle});
     if (!colored) return;
     FieldRange range = main().field_range();
-    for (const Strand& strand : strands_) {
-      const FieldRange other = strand.field_range();
+    for (const DrawnCable& cable : cables_) {
+      const FieldRange other = cable.field_range();
       range = {std::min(range.lo, other.lo), std::max(range.hi, other.hi)};
     }
     if (!std::isfinite(range.lo) || !std::isfinite(range.hi))
@@ -256,13 +257,13 @@ class SceneRenderer::Drawing {
   // r (1 - cos(π/n)), which is kept to a twelfth of a pixel.
   void choose_sides() {
     double pixels = 0;
-    for (const Strand& strand : strands_) {
-      const Motion& motion = strand.motion();
+    for (const DrawnCable& cable : cables_) {
+      const Motion& motion = cable.motion();
       for (std::size_t i = 0; i < motion.output_count();
            i += std::max<std::size_t>(1, motion.output_count() / 64)) {
         const Camera camera = camera_at(motion.output_time(i));
         for (const CurvePoint& point : visible_curve(motion, motion.output(i), camera, 1)) {
-          const double seen = strand.radius() * camera.pixels_per_metre(point.position);
+          const double seen = cable.radius() * camera.pixels_per_metre(point.position);
           if (std::isfinite(seen)) pixels = std::max(pixels, seen);
         }
       }
@@ -280,7 +281,7 @@ class SceneRenderer::Drawing {
     background_.set("height", static_cast<float>(height_ * canvas_.layer_scale()));
     background_.set("below", theme_.below);
     tube_.use();
-    set3(tube_, "up", stage_.up);
+    set3(tube_, "up", surroundings_.up);
     if (spec().color_by != ColorField::none) make_map();
   }
 
@@ -304,7 +305,7 @@ class SceneRenderer::Drawing {
   // Where the camera stands at a time.
   void look(double time) {
     const CameraSpec place = path_->at(time);
-    camera_.emplace(place, width_, height_, stage_.center, stage_.radius);
+    camera_.emplace(place, width_, height_, surroundings_.center, surroundings_.radius);
     // True at the depth of the camera's target, as everything nearer looks larger.
     texts_.pixels_per_metre = camera_->pixels_per_metre(place.target);
     ground_.look(*camera_);
@@ -313,10 +314,12 @@ class SceneRenderer::Drawing {
     tube_.set_matrix("view", matrix.data());
     const Eigen::Vector3f eye = (camera_->is_parallel() ? camera_->back() : camera_->eye()).cast<float>();
     tube_.set("eye", Color{eye.x(), eye.y(), eye.z(), camera_->is_parallel() ? 0.0F : 1.0F});
-    set3(tube_, "light", (1.1 * stage_.up - 0.55 * camera_->right() + 0.7 * camera_->back()).normalized());
+    set3(tube_, "light",
+         (1.1 * surroundings_.up - 0.55 * camera_->right() + 0.7 * camera_->back()).normalized());
     // Seen from straight above or below, the ground is all that there is behind.
     background_.use();
-    background_.set("above", std::abs(camera_->back().dot(stage_.up)) > 0.9 ? theme_.below : theme_.above);
+    background_.set("above",
+                    std::abs(camera_->back().dot(surroundings_.up)) > 0.9 ? theme_.below : theme_.above);
   }
 
   // What is behind all cables.
@@ -349,7 +352,7 @@ class SceneRenderer::Drawing {
   // The ground seen edge on.
   void draw_ground_line() {
     painter_.begin(canvas_);
-    const double y = std::round(camera_->pixel(stage_.origin).y());
+    const double y = std::round(camera_->pixel(surroundings_.origin).y());
     painter_.fill({0, y, 1.0 * width_, y + std::max(1.0, std::round(height_ / 360.0))}, theme_.grid);
   }
 
@@ -403,9 +406,9 @@ class SceneRenderer::Drawing {
       Layer& ghost = result.layers.emplace_back();
       ghost.region = nothing();
       ghost.opacity = ghost_opacity * (0.25 + 0.75 * (1 - (k - 1.0) / spec().ghosts));
-      for (std::size_t i = 0; i < strands_.size(); ++i) {
-        const State state = strands_[i].motion().at(earlier);
-        const std::vector<CurvePoint> curve = strands_[i].curve(state, *camera_);
+      for (std::size_t i = 0; i < cables_.size(); ++i) {
+        const State state = cables_[i].motion().at(earlier);
+        const std::vector<CurvePoint> curve = cables_[i].curve(state, *camera_);
         add_cable(ghost, i, curve, state);
       }
       limit(ghost);
@@ -413,14 +416,14 @@ class SceneRenderer::Drawing {
     Layer& now = result.layers.emplace_back();
     now.region = nothing();
     const double trail = spec().trail.value_or(trail_frames / spec().frame_rate);
-    for (std::size_t i = 0; i < strands_.size(); ++i) {
-      const Strand& strand = strands_[i];
-      const State state = strand.motion().at(time);
-      std::vector<CurvePoint> curve = strand.curve(state, *camera_);
+    for (std::size_t i = 0; i < cables_.size(); ++i) {
+      const DrawnCable& cable = cables_[i];
+      const State state = cable.motion().at(time);
+      std::vector<CurvePoint> curve = cable.curve(state, *camera_);
       add_cable(now, i, curve, state);
-      add_support(now, strand, strand.supports().first, curve.front());
-      add_support(now, strand, strand.supports().last, curve.back());
-      if (trail > 0) add_trail(now, i, strand.trail(time - trail, time, state));
+      add_support(now, cable, cable.supports().first, curve.front());
+      add_support(now, cable, cable.supports().last, curve.back());
+      if (trail > 0) add_trail(now, i, cable.trail(time - trail, time, state));
       result.shadows.push_back(std::move(curve));
     }
     for (std::size_t k = 0; k < input_.points.size(); ++k) add_points(now, k, time, trail);
@@ -451,26 +454,26 @@ class SceneRenderer::Drawing {
   }
 
   void add_cable(Layer& layer, std::size_t i, const std::vector<CurvePoint>& curve, const State& state) {
-    const Strand& strand = strands_[i];
+    const DrawnCable& cable = cables_[i];
     // A ball seen from near by looks larger than its radius at its middle's distance: twice is ample.
     for (const CurvePoint& point : curve)
       widen(layer, point.position,
-            2 + 2 * support_reach * strand.radius() * camera_->pixels_per_metre(point.position));
-    const std::vector<float> levels = strand.levels(curve, state, range_);
-    layer.parts.push_back({tube_mesh(curve, strand.radius(), sides_, levels),
+            2 + 2 * support_reach * cable.radius() * camera_->pixels_per_metre(point.position));
+    const std::vector<float> levels = cable.levels(curve, state, range_);
+    layer.parts.push_back({tube_mesh(curve, cable.radius(), sides_, levels),
                            levels.empty() ? &mesh_ : &field_mesh_, color_of(i), !levels.empty()});
   }
 
   // A ball for a joint, a sleeve for what holds the direction too.
-  void add_support(Layer& layer, const Strand& strand, Support support, const CurvePoint& end) {
+  void add_support(Layer& layer, const DrawnCable& cable, Support support, const CurvePoint& end) {
     const Hold hold = hold_of(support);
     if (hold.none()) return;
     std::vector<CurvePoint> core = {end};
-    double radius = 2.1 * strand.radius();
+    double radius = 2.1 * cable.radius();
     if (hold.direction) {
-      radius = 1.9 * strand.radius();
-      core = {{end.position - 3 * strand.radius() * end.tangent, end.tangent},
-              {end.position + 3 * strand.radius() * end.tangent, end.tangent}};
+      radius = 1.9 * cable.radius();
+      core = {{end.position - 3 * cable.radius() * end.tangent, end.tangent},
+              {end.position + 3 * cable.radius() * end.tangent, end.tangent}};
     }
     layer.parts.push_back({tube_mesh(core, radius, 2 * sides_), &ball_mesh_, theme_.support});
   }
@@ -494,8 +497,8 @@ class SceneRenderer::Drawing {
       const double radius = (latest ? 1.0 : 0.7) * point_radius * main().radius();
       widen(layer, points.places[i], 2 + 2 * radius * camera_->pixels_per_metre(points.places[i]));
       layer.parts.push_back(
-          {tube_mesh(std::vector<CurvePoint>{{points.places[i], stage_.up}}, radius, sides_), &ball_mesh_,
-           color_of(1 + input_.others.size() + k)});
+          {tube_mesh(std::vector<CurvePoint>{{points.places[i], surroundings_.up}}, radius, sides_),
+           &ball_mesh_, color_of(1 + input_.others.size() + k)});
     }
   }
 
@@ -504,10 +507,10 @@ class SceneRenderer::Drawing {
   const Theme& theme_;
   int width_;
   int height_;
-  std::deque<Strand> strands_;  // the run, and others
+  std::deque<DrawnCable> cables_;  // the run, and others
   std::vector<Tile> tiles_;
   Canvas canvas_;
-  Stage stage_;
+  Surroundings surroundings_;
   FrameTexts texts_;
   std::optional<CameraPath> path_;
   std::optional<Camera> camera_;  // of the frame that is drawn

@@ -23,15 +23,15 @@ SceneCamera::SceneCamera(const Trajectory& run, const SceneInput& input)
       width_(input.spec.size[0]),
       height_(input.spec.size[1]),
       frame_rate_(input.spec.frame_rate),
-      stage_(make_stage(covered_places(motion_), input.length, radius_, input.gravity)) {
+      surroundings_(make_surroundings(covered_places(motion_), input.length, radius_, input.gravity)) {
   FrameTexts texts;
   if (input.spec.color_by != ColorField::none) texts.bar = ColorBar{};
-  path_.emplace(input.spec, stage_, motion_, radius_, static_cast<double>(width_) / height_,
+  path_.emplace(input.spec, surroundings_, motion_, radius_, static_cast<double>(width_) / height_,
                 margins_beside(texts, width_, height_));
 }
 
 Camera SceneCamera::at(double time) const {
-  return {path_->at(time), width_, height_, stage_.center, stage_.radius};
+  return {path_->at(time), width_, height_, surroundings_.center, surroundings_.radius};
 }
 
 std::vector<double> SceneCamera::frame_times() const {

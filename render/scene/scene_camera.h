@@ -35,7 +35,7 @@ class SceneCamera {
   int width_;
   int height_;
   double frame_rate_;
-  Stage stage_;
+  Surroundings surroundings_;
   std::optional<CameraPath> path_;
 };
 

@@ -31,46 +31,50 @@ double main_direction(const std::vector<Eigen::Vector2d>& spread) {
 
 }  // namespace
 
-Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity, bool face_on) {
-  Stage stage;
-  stage.up = gravity.stableNorm() > 0 ? Vec3(-gravity.stableNormalized()) : Vec3(Vec3::UnitY());
-  const Vec3 reference = std::abs(stage.up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
-  stage.across = (reference - stage.up * stage.up.dot(reference)).normalized();
-  stage.forward = stage.across.cross(stage.up);
+Surroundings make_surroundings(std::vector<Vec3> places, double length, double radius, const Vec3& gravity,
+                               bool face_on) {
+  Surroundings surroundings;
+  surroundings.up = gravity.stableNorm() > 0 ? Vec3(-gravity.stableNormalized()) : Vec3(Vec3::UnitY());
+  const Vec3 reference = std::abs(surroundings.up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
+  surroundings.across = (reference - surroundings.up * surroundings.up.dot(reference)).normalized();
+  surroundings.forward = surroundings.across.cross(surroundings.up);
 
-  double lowest = stage.up.dot(places.front());
-  for (const Vec3& place : places) lowest = std::min(lowest, stage.up.dot(place));
+  double lowest = surroundings.up.dot(places.front());
+  for (const Vec3& place : places) lowest = std::min(lowest, surroundings.up.dot(place));
   const Vec3 first = places.front();
-  stage.origin = first - stage.up * (stage.up.dot(first) - lowest + radius + clearance * length);
+  surroundings.origin =
+      first - surroundings.up * (surroundings.up.dot(first) - lowest + radius + clearance * length);
 
   std::vector<Eigen::Vector2d> spread;
-  for (const Vec3& place : places) spread.push_back(stage.ground_coordinates(place));
+  for (const Vec3& place : places) spread.push_back(surroundings.ground_coordinates(place));
   Eigen::Vector2d low = spread.front();
   Eigen::Vector2d high = low;
   for (const auto& p : spread) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  stage.middle = (low + high) / 2;
-  for (const auto& p : spread) stage.reach = std::max(stage.reach, (p - stage.middle).norm());
-  stage.ground_radius = 2.2 * std::max(stage.reach, 0.4 * length);
-  stage.grid = round_step(stage.ground_radius / 14);
+  surroundings.middle = (low + high) / 2;
+  for (const auto& p : spread)
+    surroundings.reach = std::max(surroundings.reach, (p - surroundings.middle).norm());
+  surroundings.ground_radius = 2.2 * std::max(surroundings.reach, 0.4 * length);
+  surroundings.grid = round_step(surroundings.ground_radius / 14);
 
   const std::size_t moving = places.size();
-  for (std::size_t i = 0; i < moving; ++i) places.push_back(stage.on_ground(places[i]));
-  const Vec3 middle = stage.origin + stage.middle.x() * stage.across + stage.middle.y() * stage.forward;
-  stage.center = middle;
-  stage.radius = stage.ground_radius;
+  for (std::size_t i = 0; i < moving; ++i) places.push_back(surroundings.on_ground(places[i]));
+  const Vec3 middle = surroundings.origin + surroundings.middle.x() * surroundings.across +
+                      surroundings.middle.y() * surroundings.forward;
+  surroundings.center = middle;
+  surroundings.radius = surroundings.ground_radius;
   for (const Vec3& place : places)
-    stage.radius = std::max(stage.radius, (place - middle).norm() + 4 * radius);
+    surroundings.radius = std::max(surroundings.radius, (place - middle).norm() + 4 * radius);
 
   const double angle = main_direction(spread) + (face_on ? 0 : turn);
   // Of the two sides from which the motion spreads across the view, the one towards `forward`.
-  Vec3 side = std::sin(angle) * -stage.across + std::cos(angle) * stage.forward;
-  if (side.dot(stage.forward) < 0) side = -side;
-  stage.best_side = std::cos(elevation) * side + std::sin(elevation) * stage.up;
-  stage.places = std::move(places);
-  return stage;
+  Vec3 side = std::sin(angle) * -surroundings.across + std::cos(angle) * surroundings.forward;
+  if (side.dot(surroundings.forward) < 0) side = -side;
+  surroundings.best_side = std::cos(elevation) * side + std::sin(elevation) * surroundings.up;
+  surroundings.places = std::move(places);
+  return surroundings;
 }
 
 }  // namespace plumb

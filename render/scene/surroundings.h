@@ -8,7 +8,7 @@ namespace plumb {
 
 /// What surrounds the cable and stays while it moves. Places on the ground are given by two numbers, along
 /// `across` and `forward` from `origin`.
-struct Stage {
+struct Surroundings {
   Vec3 up;      ///< unit vector against gravity
   Vec3 across;  ///< unit vectors in the ground, at right angles to each other
   Vec3 forward;
@@ -29,11 +29,11 @@ struct Stage {
   double height(const Vec3& place) const { return up.dot(place - origin); }
 };
 
-/// The stage for a motion that covers `places` (one or more, the first being the first end at the start) of a
-/// cable of a length, drawn with a radius (m): the ground is below the lowest place at right angles to
-/// gravity (to Y without gravity). `face_on`: the best side is that from which what is side by side looks
-/// equally large.
-Stage make_stage(std::vector<Vec3> places, double length, double radius, const Vec3& gravity,
-                 bool face_on = false);
+/// The surroundings for a motion that covers `places` (one or more, the first being the first end at the
+/// start) of a cable of a length, drawn with a radius (m): the ground is below the lowest place at right
+/// angles to gravity (to Y without gravity). `face_on`: the best side is that from which what is side by side
+/// looks equally large.
+Surroundings make_surroundings(std::vector<Vec3> places, double length, double radius, const Vec3& gravity,
+                               bool face_on = false);
 
 }  // namespace plumb

@@ -16,14 +16,15 @@ constexpr double gap = 0.25;  // between runs side by side, in cable lengths
 
 ViewAxes view_axes(const Trajectory& trajectory, const SceneInput& input) {
   const Motion motion(trajectory);
-  const Stage stage = make_stage(covered_places(motion), input.length, input.radius, input.gravity);
+  const Surroundings surroundings =
+      make_surroundings(covered_places(motion), input.length, input.radius, input.gravity);
   const double aspect = 1.0 * input.spec.size[0] / input.spec.size[1];
-  const CameraSpec place = CameraPath(input.spec, stage, motion, input.radius, aspect, {}).at(0);
+  const CameraSpec place = CameraPath(input.spec, surroundings, motion, input.radius, aspect, {}).at(0);
   ViewAxes axes;
   axes.back = (place.eye - place.target).normalized();
   axes.parallel = place.view_height > 0;
   const Vec3 right = place.up.cross(axes.back);
-  const Vec3 level = right - stage.up * stage.up.dot(right);
+  const Vec3 level = right - surroundings.up * surroundings.up.dot(right);
   axes.right = level.norm() > 1e-3 * right.norm() ? level.normalized() : right.normalized();
   return axes;
 }

@@ -48,7 +48,7 @@ Json reference_json(const Reference& reference, const ReferenceUse& use) {
 }
 
 Json energy_json(const Trajectory& trajectory) {
-  // Of a given run, which has no states, they are not known.
+  // Of an external run, which has no states, they are not known.
   if (trajectory.energies.empty() && !trajectory.times.empty()) return nullptr;
   Json kinetic = Json::array(), axial = Json::array(), bending = Json::array(), potential = Json::array();
   for (const Energies& e : trajectory.energies) {

@@ -6,8 +6,8 @@
 
 namespace plumb {
 
-/// `given_runs` of results.json: what each given run is, how it was read, and how far it is from the run that
-/// is reported.
+/// `given_runs` of results.json: what each external run is, how it was read, and how far it is from the run
+/// that is reported.
 nlohmann::ordered_json given_runs_json(const Results& results);
 
 /// The same of a case, without the distances.

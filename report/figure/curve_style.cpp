@@ -44,7 +44,7 @@ std::map<std::string, CurveStyle> curve_styles(const WorkPrecision& study) {
   constexpr std::array dashes = {Dash::solid, Dash::dashed, Dash::dotted};
   std::map<std::string, CurveStyle> styles;
   std::map<MethodFamily, std::size_t> members;
-  for (const StudyCurve& curve : study.curves) {
+  for (const MethodCurve& curve : study.curves) {
     if (styles.contains(curve.label)) continue;
     const std::size_t k = members[curve.family]++;
     const FamilyColors colors = colors_of(curve.family);

@@ -61,7 +61,7 @@ Color given_color(std::size_t given_run) {
   return palette[(given_run + 2) % palette.size()];
 }
 
-/// The given runs beside the one that is reported, over it in the same panel.
+/// The external runs beside the one that is reported, over it in the same panel.
 void add_given_runs(const Run& run, const FigureSpec& spec, Panel& panel) {
   const Case& the_case = run.loaded.spec;
   for (std::size_t k = reports_given_run(the_case) ? 1 : 0; k < the_case.given_runs.size(); ++k) {
@@ -280,7 +280,7 @@ Figure energy_figure(const Run& run) {
 std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& errors) {
   std::vector<Figure> result;
   for (const FigureSpec& spec : run.loaded.spec.figures) result.push_back(case_figure(run, spec, errors));
-  // Of a given run neither energies nor fields are known.
+  // Of an external run neither energies nor fields are known.
   if (!run.trajectory.energies.empty()) {
     result.push_back(energy_figure(run));
     for (Figure& figure : field_figures(run)) result.push_back(std::move(figure));

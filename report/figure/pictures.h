@@ -46,7 +46,7 @@ struct Pictures {
   std::string page_animation;     ///< animated PNG small enough for the page
   std::string page_still;         ///< its last frame, for paper
   std::string renderer;           ///< GlInfo::fingerprint() of what drew them
-  /// What given runs are drawn through, or why there is no animation; a sentence each.
+  /// What external runs are drawn through, or why there is no animation; a sentence each.
   std::vector<std::string> animation_notes = {};
 
   bool animated() const { return frames > 0; }
@@ -80,8 +80,8 @@ FrameRange range_within(int frames, const std::optional<FrameRange>& asked);
 inline constexpr const char* player_file = "player.png";
 
 /// Draws the figures, frames and animation of a run into a folder: figures/*.png, frames/*.png,
-/// animation.png and player.png; of a given run that does not tell enough, figures alone. `scene` is what the
-/// frames show. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
+/// animation.png and player.png; of an external run that does not tell enough, figures alone. `scene` is what
+/// the frames show. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
 Pictures draw(const Run& run, const SceneOfRun& scene, const std::vector<SeriesError>& errors,
               const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
               const DrawingProgress& progress = {});

@@ -10,7 +10,7 @@ namespace {
 /// The scene of a case whose run has no states: nothing to colour it by.
 SceneInput scene_without_fields(Case spec) {
   spec.scene.color_by = ColorField::none;
-  // Of a given run there is no mesh that fields could be computed on.
+  // Of an external run there is no mesh that fields could be computed on.
   spec.cable.elements = 1;
   return scene_input(spec);
 }

@@ -23,11 +23,11 @@ class SceneOfRun {
   /// For SceneRenderer, beside the motion; it must not outlive this.
   const SceneInput& input() const { return input_; }
   SceneInput& input() { return input_; }
-  /// What given runs are drawn through, or why they are not drawn; a sentence each.
+  /// What external runs are drawn through, or why they are not drawn; a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  /// The motion of a given run, if there is enough to draw.
+  /// The motion of an external run, if there is enough to draw.
   const Trajectory* drawn(const Run& run, std::size_t given_run);
 
   std::deque<Trajectory> curves_;

@@ -15,7 +15,7 @@ std::vector<std::vector<double>> as_numbers(const std::vector<Eigen::VectorXd>& 
   return result;
 }
 
-/// A name stands for a reference or a given run alike.
+/// A name stands for a reference or an external run alike.
 CaseSource source_of(const CaseText& text) {
   CaseSource source{{"case", text.toml}, text.overrides, {}};
   for (const auto& [name, content] : text.files) source.references.push_back({name, content});

@@ -17,18 +17,18 @@ constexpr const char* assessment_file_name = "assessment.json";
 
 }  // namespace
 
-Assessment assess(const Run& run, Journal& journal, Stages& stages, Talk& talk) {
+Assessment assess(const Run& run, Journal& journal, Stages& stages, Console& console) {
   Assessment assessment;
-  Runner runner(journal, [&](const std::string& part, double share) { talk.progress(part, share); });
+  Runner runner(journal, [&](const std::string& part, double share) { console.progress(part, share); });
   if (run.loaded.spec.uncertainty) {
     stages.begin("uncertainty");
     assessment.uncertainty = run_uncertainty(run, runner);
-    talk.end_progress();
+    console.end_progress();
   }
   if (run.loaded.spec.error_budget) {
     stages.begin("error budget");
     assessment.error_budget = run_budget(run.loaded, runner);
-    talk.end_progress();
+    console.end_progress();
   }
   return assessment;
 }

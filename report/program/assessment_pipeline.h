@@ -12,7 +12,7 @@
 namespace plumb {
 
 /// Computes what the case of a run asks for, with a progress bar.
-Assessment assess(const Run& run, Journal& journal, Stages& stages, Talk& talk);
+Assessment assess(const Run& run, Journal& journal, Stages& stages, Console& console);
 
 /// Writes assessment.json, where there is anything to write.
 void write_assessment(const Assessment& assessment, OutputFolder& folder);

@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-ExitStatus check_verb(const Options& options, Talk& talk) {
-  const LoadedCase loaded = load(options, talk);
+ExitStatus check_verb(const Options& options, Console& console) {
+  const LoadedCase loaded = load(options, console);
   const Case& spec = loaded.spec;
   const bool reports_given = reports_given_run(spec);
   long criteria = 0;
@@ -19,21 +19,21 @@ ExitStatus check_verb(const Options& options, Talk& talk) {
   criteria *= std::ssize(spec.given_runs) + (reports_given ? 0 : 1);
   for (const GivenRunSpec& given : spec.given_runs) criteria += std::ssize(given.tolerances);
   const std::string what =
-      reports_given ? "a given run"
+      reports_given ? "an external run"
                     : counted(spec.cable.elements, "element", "elements") + ", " + spec.method.name;
-  talk.line(fmt::format("{} is valid: {}, {} to {:.4g} s, {}", loaded.source.file.name, spec.title, what,
-                        spec.time.end, counted(criteria, "criterion", "criteria")));
+  console.line(fmt::format("{} is valid: {}, {} to {:.4g} s, {}", loaded.source.file.name, spec.title, what,
+                           spec.time.end, counted(criteria, "criterion", "criteria")));
   for (std::size_t k = 0; k < spec.given_runs.size(); ++k) {
     const GivenRun& given = loaded.given_runs[k];
-    talk.line(fmt::format("{}: {} of {}, {} from {:.4g} to {:.4g} s", spec.given_runs[k].name,
-                          counted(std::ssize(given.columns), "column", "columns"),
-                          computed_by(spec.given_runs[k]), counted(std::ssize(given.times), "row", "rows"),
-                          given.times.front(), given.times.back()));
+    console.line(fmt::format("{}: {} of {}, {} from {:.4g} to {:.4g} s", spec.given_runs[k].name,
+                             counted(std::ssize(given.columns), "column", "columns"),
+                             computed_by(spec.given_runs[k]), counted(std::ssize(given.times), "row", "rows"),
+                             given.times.front(), given.times.back()));
   }
   const Estimate made = check_estimate(spec, work_of_run(spec), loaded.source.file.name,
-                                       output_path(options, loaded), options, talk);
-  talk.line("plumb run of it would take");
-  for (const std::string& line : in_words(made)) talk.line("  " + line);
+                                       output_path(options, loaded), options, console);
+  console.line("plumb run of it would take");
+  for (const std::string& line : in_words(made)) console.line("  " + line);
   if (options.json) print_json(case_json(loaded));
   return ExitStatus::done;
 }

@@ -10,17 +10,17 @@
 
 namespace plumb {
 
-Talk::Talk(bool to_stderr, bool quiet)
+Console::Console(bool to_stderr, bool quiet)
     : to_stderr_(to_stderr),
       quiet_(quiet),
       color_(isatty(to_stderr ? STDERR_FILENO : STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr),
       bar_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
-std::string Talk::paint(const char* code, const std::string& text) const {
+std::string Console::paint(const char* code, const std::string& text) const {
   return color_ ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
 }
 
-void Talk::line(const std::string& text) {
+void Console::line(const std::string& text) {
   if (quiet_) return;
   end_progress();
   std::FILE* out = to_stderr_ ? stderr : stdout;
@@ -28,13 +28,13 @@ void Talk::line(const std::string& text) {
   std::fflush(out);
 }
 
-void Talk::remark(const std::string& text) {
+void Console::remark(const std::string& text) {
   if (quiet_) return;
   end_progress();
   std::fputs(("plumb: note: " + one_line(text) + "\n").c_str(), stderr);
 }
 
-void Talk::progress(const std::string& what, double share) {
+void Console::progress(const std::string& what, double share) {
   const int percent = static_cast<int>(100 * share);
   if (!bar_ || percent == shown_percent_) return;
   shown_percent_ = percent;
@@ -45,7 +45,7 @@ void Talk::progress(const std::string& what, double share) {
       stderr);
 }
 
-void Talk::end_progress() {
+void Console::end_progress() {
   if (!bar_ || shown_percent_ < 0) return;
   shown_percent_ = -1;
   std::fputs("\r\x1b[K", stderr);

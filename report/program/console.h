@@ -7,9 +7,9 @@ namespace plumb {
 /// What the program says to people. With `--json` it goes to standard error, so that standard output is the
 /// result alone; with `--quiet` nothing is said but errors. Colour and the progress bar appear on terminals
 /// only, colour not where NO_COLOR is set.
-class Talk {
+class Console {
  public:
-  Talk(bool to_stderr, bool quiet);
+  Console(bool to_stderr, bool quiet);
 
   void line(const std::string& text);
   /// A line about something that the user may not have expected.

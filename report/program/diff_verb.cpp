@@ -45,14 +45,14 @@ std::vector<std::string> files_to_take(const fs::path& folder) {
 }
 
 /// Puts B in the place of A; B stays.
-void accept(const fs::path& a, const fs::path& b, Talk& talk) {
+void accept(const fs::path& a, const fs::path& b, Console& console) {
   if (!fs::is_directory(b)) {
     write_file(a.string(), read_whole_file(b.string()));
     return;
   }
   const std::vector<std::string> names = files_to_take(b);
   OutputFolder folder(a.string(), {.content = FolderContent::copies,
-                                   .remark = [&talk](const std::string& text) { talk.remark(text); }});
+                                   .remark = [&console](const std::string& text) { console.remark(text); }});
   for (const std::string& name : names) folder.write(name, read_whole_file((b / name).string()));
   folder.commit();
 }
@@ -95,19 +95,19 @@ void check_page(const Options& options) {
       throw UsageError(fmt::format("--html {}: is there, and {}", options.html, how));
 }
 
-void say(const std::vector<FileDifference>& files, Talk& talk) {
+void say(const std::vector<FileDifference>& files, Console& console) {
   for (const FileDifference& file : files) {
     if (file.sameness == Sameness::identical || file.sameness == Sameness::not_compared) continue;
     const std::string result = fmt::format("{:<17}", word(file.sameness));
-    talk.line(fmt::format("  {}{}", fails(file.sameness) ? talk.bad(result) : result,
-                          one_line(file.name + ": " + file.in_words)));
+    console.line(fmt::format("  {}{}", fails(file.sameness) ? console.bad(result) : result,
+                             one_line(file.name + ": " + file.in_words)));
   }
-  talk.line(headline(files));
+  console.line(headline(files));
 }
 
 }  // namespace
 
-ExitStatus diff_verb(const Options& options, Talk& talk) {
+ExitStatus diff_verb(const Options& options, Console& console) {
   DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers, !options.html.empty()};
   if (options.numbers) how.numbers = *options.numbers;
   const std::string overlapping = overlap(options.input, options.other);
@@ -120,21 +120,21 @@ ExitStatus diff_verb(const Options& options, Talk& talk) {
   const bool first_there = fs::exists(options.input, ignored) || !options.accept;
   std::vector<FileDifference> files;
   if (first_there) files = compare_paths(options.input, options.other, how);
-  if (!overlapping.empty()) talk.remark(overlapping);
+  if (!overlapping.empty()) console.remark(overlapping);
 
   const bool different = differs(files);
-  if (first_there) say(files, talk);
+  if (first_there) say(files, console);
   if (!options.html.empty()) {
     write_file(options.html, to_difference_page(options.input, options.other, files));
-    talk.line("page: " + options.html);
+    console.line("page: " + options.html);
   }
   const bool accepts = options.accept && (different || !first_there);
   if (accepts) {
-    accept(options.input, options.other, talk);
-    talk.line(fmt::format("accepted: {} is now what {} is", options.input, options.other));
+    accept(options.input, options.other, console);
+    console.line(fmt::format("accepted: {} is now what {} is", options.input, options.other));
   } else if (options.accept) {
-    clear_leftovers_of(options.input, [&talk](const std::string& text) { talk.remark(text); });
-    talk.line("nothing to accept");
+    clear_leftovers_of(options.input, [&console](const std::string& text) { console.remark(text); });
+    console.line("nothing to accept");
   }
   if (options.json) print_json(difference_json(files, accepts));
   return !accepts && (different || compared(files) == 0) ? ExitStatus::criterion_not_met : ExitStatus::done;

@@ -33,38 +33,39 @@ Json method_json(const MethodInfo& method) {
 
 }  // namespace
 
-ExitStatus doctor_verb(const Options& options, Talk& talk) {
+ExitStatus doctor_verb(const Options& options, Console& console) {
   refuse_no_room_to_draw();
   const GlContext context;
   const GlInfo& gl = context.info();
   const Provenance provenance = provenance_now();
-  talk.line("Renderer");
-  talk.line(fmt::format("  {}: {}, OpenGL {}", gl.backend, gl.renderer, gl.version));
-  talk.line(fmt::format("  pictures up to {} pixels a side after supersampling, {} samples a pixel",
-                        gl.max_size, gl.max_samples));
+  console.line("Renderer");
+  console.line(fmt::format("  {}: {}, OpenGL {}", gl.backend, gl.renderer, gl.version));
+  console.line(fmt::format("  pictures up to {} pixels a side after supersampling, {} samples a pixel",
+                           gl.max_size, gl.max_samples));
   const std::vector<EglDevice> devices = egl_devices();
-  talk.line(
+  console.line(
       fmt::format("  PLUMB_GL=osmesa: {}", osmesa_is_there() ? "there" : "its library cannot be opened"));
   for (std::size_t k = 0; k < devices.size(); ++k)
-    talk.line(
+    console.line(
         fmt::format("  PLUMB_GL=egl:{}: {}", k, devices[k].software ? "draws in software" : "a device"));
   if (devices.empty())
-    talk.line(fmt::format("  PLUMB_GL=egl: {}",
-                          egl_is_there() ? "knows no device" : "its library cannot be opened"));
-  talk.line("Program");
-  for (const auto& [name, value] : provenance) talk.line(fmt::format("  {:<22}{}", name, value));
-  talk.line("Environment");
+    console.line(fmt::format("  PLUMB_GL=egl: {}",
+                             egl_is_there() ? "knows no device" : "its library cannot be opened"));
+  console.line("Program");
+  for (const auto& [name, value] : provenance) console.line(fmt::format("  {:<22}{}", name, value));
+  console.line("Environment");
   for (const EnvironmentVariable& variable : environment_variables()) {
     const char* value = std::getenv(std::string(variable.name).c_str());
-    talk.line(fmt::format("  {:<27}{}{}", variable.name, variable.meaning,
-                          value != nullptr ? fmt::format("; now {}", value) : ""));
+    console.line(fmt::format("  {:<27}{}{}", variable.name, variable.meaning,
+                             value != nullptr ? fmt::format("; now {}", value) : ""));
   }
-  talk.line("Methods: order, kind, what they conserve, when to use them, and the keys of [method] they take");
+  console.line(
+      "Methods: order, kind, what they conserve, when to use them, and the keys of [method] they take");
   for (const MethodInfo& method : method_infos()) {
-    talk.line(
+    console.line(
         fmt::format("  {:<25}{:<8}{:<17}{}", method.name, method.order, word(method.family), method.summary));
-    talk.line(fmt::format("  {:<33}conserves {}; {}", "", method.conserves, method.use));
-    talk.line(talk.faint(fmt::format("  {:<33}{}", "", keys_of(method))));
+    console.line(fmt::format("  {:<33}conserves {}; {}", "", method.conserves, method.use));
+    console.line(console.faint(fmt::format("  {:<33}{}", "", keys_of(method))));
   }
   if (options.json) {
     Json json{{"backend", gl.backend},

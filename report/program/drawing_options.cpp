@@ -78,7 +78,7 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
 }
 
 void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,
-               Talk& talk) {
+               Console& console) {
   if (scene.motion() == nullptr) return;
   for (const std::string& path : options.over) others.push_back({path, find_run(path), false});
   for (const std::string& path : options.beside) others.push_back({path, find_run(path), true});
@@ -88,7 +88,7 @@ void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::v
   if (points.series.empty())
     throw UsageError(fmt::format("--points: there is none to show{}{}", points.left_out.empty() ? "" : ": ",
                                  fmt::join(points.left_out, "; ")));
-  for (const std::string& reason : points.left_out) talk.remark("--points: " + reason);
+  for (const std::string& reason : points.left_out) console.remark("--points: " + reason);
   scene.input().points = std::move(points.series);
 }
 

@@ -24,6 +24,6 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options);
 /// outlive what draws the scene, and the points that --points asks for; says which it leaves out. Nothing
 /// where there is no motion to draw. Throws InputError, and UsageError where there is no point to show.
 void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,
-               Talk& talk);
+               Console& console);
 
 }  // namespace plumb

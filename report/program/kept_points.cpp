@@ -13,12 +13,13 @@ constexpr const char* points_file_name = "points.jsonl";
 
 }  // namespace
 
-KeptPoints::KeptPoints(const std::string& folder, const CaseSource& source, Talk& talk)
+KeptPoints::KeptPoints(const std::string& folder, const CaseSource& source, Console& console)
     : identity_(study_identity(source)), journal_(folder + ".unfinished.jsonl", identity_) {
-  if (journal_.found() > 0) talk.line("going on with what " + journal_.path() + " holds");
+  if (journal_.found() > 0) console.line("going on with what " + journal_.path() + " holds");
   if (journal_.damaged() > 0)
-    talk.remark(fmt::format("{} has {}; what is missing is done again", journal_.path(),
-                            counted(static_cast<long>(journal_.damaged()), "damaged line", "damaged lines")));
+    console.remark(
+        fmt::format("{} has {}; what is missing is done again", journal_.path(),
+                    counted(static_cast<long>(journal_.damaged()), "damaged line", "damaged lines")));
 }
 
 void KeptPoints::take_over_from_run(const std::string& folder) {
@@ -33,10 +34,10 @@ void KeptPoints::write(OutputFolder& folder) const {
   if (!journal_.empty()) folder.write(points_file_name, journal_.text(identity_));
 }
 
-void KeptPoints::say_kept(Talk& talk) const {
-  talk.end_progress();
+void KeptPoints::say_kept(Console& console) const {
+  console.end_progress();
   if (!journal_.empty())
-    talk.remark("what is done is kept in " + journal_.path() + "; the same command goes on from there");
+    console.remark("what is done is kept in " + journal_.path() + "; the same command goes on from there");
 }
 
 }  // namespace plumb

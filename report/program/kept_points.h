@@ -13,7 +13,7 @@ namespace plumb {
 class KeptPoints {
  public:
   /// Says what it goes on with. Throws OutputError where it cannot be kept.
-  KeptPoints(const std::string& folder, const CaseSource& source, Talk& talk);
+  KeptPoints(const std::string& folder, const CaseSource& source, Console& console);
 
   /// Takes over what `plumb run` has computed of the same case into its output folder.
   void take_over_from_run(const std::string& folder);
@@ -24,7 +24,7 @@ class KeptPoints {
   void write(OutputFolder& folder) const;
 
   /// Says that they stay, for the same command to go on from.
-  void say_kept(Talk& talk) const;
+  void say_kept(Console& console) const;
 
   /// The folder is in place.
   void remove() { journal_.remove(); }

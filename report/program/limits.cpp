@@ -205,7 +205,7 @@ void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, c
 }
 
 Estimate check_estimate(const Case& spec, const PlannedWork& work, const std::string& name,
-                        const std::string& folder, const Options& options, Talk& talk) {
+                        const std::string& folder, const Options& options, Console& console) {
   Estimate made = estimate(spec, work);
   const EstimatedPart most = made.parts_of(Resource::memory).front();
   kept_heaviest = fmt::format("{}{}", describe(most), most.keys.empty() ? "" : ": " + most.keys);
@@ -214,9 +214,9 @@ Estimate check_estimate(const Case& spec, const PlannedWork& work, const std::st
   refuse_beyond(made, bounds, name);
   constexpr double long_time = 86400;
   if (const double time = made.total(Resource::time); time > long_time)
-    talk.remark(fmt::format("this will take some {}: {} (--limit time=1h would refuse it)",
-                            amount_in_words(Resource::time, time),
-                            describe(made.parts_of(Resource::time).front())));
+    console.remark(fmt::format("this will take some {}: {} (--limit time=1h would refuse it)",
+                               amount_in_words(Resource::time, time),
+                               describe(made.parts_of(Resource::time).front())));
   return made;
 }
 

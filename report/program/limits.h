@@ -35,7 +35,7 @@ void refuse_beyond(const Estimate& estimate, const std::vector<Bound>& bounds, c
 /// The estimate of a case, refused as above before any work on it. `folder` is the output folder. Work that
 /// will take days is remarked on.
 Estimate check_estimate(const Case& spec, const PlannedWork& work, const std::string& name,
-                        const std::string& folder, const Options& options, Talk& talk);
+                        const std::string& folder, const Options& options, Console& console);
 
 /// Throws OutputError where less address space is left than drawing maps: the renderer does not survive that.
 void refuse_no_room_to_draw();

@@ -29,10 +29,10 @@ namespace {
 constexpr const char* default_folder = "output";
 
 /// What an index may touch: all that is not of an index stays.
-FolderUse use_of_index(Talk& talk) {
-  return {.content = FolderContent::pages, .beside_others = true, .remark = [&talk](const std::string& text) {
-            talk.remark(text);
-          }};
+FolderUse use_of_index(Console& console) {
+  return {.content = FolderContent::pages,
+          .beside_others = true,
+          .remark = [&console](const std::string& text) { console.remark(text); }};
 }
 
 /// Whether an index may have a file or folder of this name.
@@ -43,7 +43,7 @@ bool is_of_index(const std::string& name) {
 
 /// Draws the figures of an index and writes all of it.
 ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& folder,
-                       const Options& options, Talk& talk) {
+                       const Options& options, Console& console) {
   const GlContext context;
   const PngTexts texts = picture_texts(context, "index");
   std::vector<Picture> pictures;
@@ -55,8 +55,8 @@ ExitStatus write_index(const std::vector<IndexedReport>& reports, OutputFolder& 
   write_formats({"Plumb", index, true, index_suites(reports), index_summary(index)}, folder);
   folder.write("index.html", index_page(index, pictures));
   folder.commit();
-  talk.line(index.at("headline").get<std::string>());
-  talk.line("index: " + folder.path() + "/index.html");
+  console.line(index.at("headline").get<std::string>());
+  console.line("index: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(index));
   ExitStatus worst = ExitStatus::done;
   for (const IndexedReport& report : reports)
@@ -101,7 +101,7 @@ std::vector<std::string> matching_paths(const std::vector<std::string>& argument
   return paths;
 }
 
-ExitStatus run_many(const std::vector<std::string>& cases, const Options& options, Talk& talk) {
+ExitStatus run_many(const std::vector<std::string>& cases, const Options& options, Console& console) {
   const std::string folder = options.output.empty() ? default_folder : options.output;
   if (!options.baseline.empty())
     throw UsageError("--baseline is for one case; with several, run each against its own");
@@ -118,30 +118,30 @@ ExitStatus run_many(const std::vector<std::string>& cases, const Options& option
       throw UsageError(
           fmt::format("{} and {} would both be written to {}/{}", known->second, path, folder, known->first));
     const LoadedCase loaded = load_case(path, options.overrides);
-    Talk nothing(true, true);
+    Console nothing(true, true);
     check_estimate(loaded.spec, work_of_run(loaded.spec), path, folder, options, nothing);
     const std::string own = (fs::path(folder) / name).string();
-    OutputFolder::check(own, folder_for(loaded, for_one(options, path, own), talk));
+    OutputFolder::check(own, folder_for(loaded, for_one(options, path, own), console));
   }
-  OutputFolder index(folder, use_of_index(talk));
+  OutputFolder index(folder, use_of_index(console));
   std::vector<IndexedReport> reports;
   ExitStatus worst = ExitStatus::done;
   for (const std::string& path : cases) {
     const std::string name = folder_name_of(path);
     const std::string own = (fs::path(folder) / name).string();
     const std::optional<ino_t> before = file_number(own);
-    worst = std::max(worst, run_one(for_one(options, path, own), talk));
+    worst = std::max(worst, run_one(for_one(options, path, own), console));
     // A start that is not finite leaves no report, and one of an earlier run says nothing of this one.
     const bool made = file_number(own).has_value() && file_number(own) != before;
     reports.push_back({name, made ? find_document(own) : Document()});
   }
-  return std::max(worst, write_index(reports, index, options, talk));
+  return std::max(worst, write_index(reports, index, options, console));
 }
 
-ExitStatus index_many(const std::vector<std::string>& folders, const Options& options, Talk& talk) {
+ExitStatus index_many(const std::vector<std::string>& folders, const Options& options, Console& console) {
   const std::string folder = options.output.empty() ? default_folder : options.output;
   std::vector<IndexedReport> reports;
-  FolderUse use = use_of_index(talk);
+  FolderUse use = use_of_index(console);
   for (const std::string& path : folders) {
     std::error_code ignored;
     const fs::path own =
@@ -151,11 +151,11 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const std::string file = (own / "results.json").string();
     reports.push_back({seen.generic_string(), find_document(file)});
     check_claims(reports.back().document, file);
-    if (!reports.back().document.contains(check_sum_key)) talk.remark(remark_without_sum(file));
+    if (!reports.back().document.contains(check_sum_key)) console.remark(remark_without_sum(file));
     use.reads.push_back((own / "results.json").string());
   }
   OutputFolder index(folder, use);
-  return write_index(reports, index, options, talk);
+  return write_index(reports, index, options, console);
 }
 
 }  // namespace plumb

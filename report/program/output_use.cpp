@@ -48,14 +48,14 @@ std::string folder_name_of(const std::string& case_path) {
   return name;
 }
 
-FolderUse folder_for(const LoadedCase& loaded, const Options& options, Talk& talk) {
+FolderUse folder_for(const LoadedCase& loaded, const Options& options, Console& console) {
   return {.reads = files_read(loaded, options),
-          .remark = [&talk](const std::string& text) { talk.remark(text); }};
+          .remark = [&console](const std::string& text) { console.remark(text); }};
 }
 
-FolderUse folder_from(const std::string& run_path, Talk& talk) {
+FolderUse folder_from(const std::string& run_path, Console& console) {
   return {.sources = source_files(run_path),
-          .remark = [&talk](const std::string& text) { talk.remark(text); }};
+          .remark = [&console](const std::string& text) { console.remark(text); }};
 }
 
 void refuse_to_overwrite(const std::string& option, const std::string& file,

@@ -25,10 +25,10 @@ std::string file_in(const std::string& path, const char* name);
 std::string folder_name_of(const std::string& case_path);
 
 /// The folder for the results of a case. What is noteworthy about it is said.
-FolderUse folder_for(const LoadedCase& loaded, const Options& options, Talk& talk);
+FolderUse folder_for(const LoadedCase& loaded, const Options& options, Console& console);
 
 /// The folder for what is made from a finished run or study.
-FolderUse folder_from(const std::string& run_path, Talk& talk);
+FolderUse folder_from(const std::string& run_path, Console& console);
 
 /// Throws UsageError where the file that `option` names is one of those that are read, under whatever name,
 /// or lies in the folder that is about to be replaced (empty: none). WriteError where there is no folder for

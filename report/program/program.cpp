@@ -271,13 +271,13 @@ void check_together(const Verb& verb, const Options& options) {
 }
 
 /// Refuses what is wrong in the environment where it matters, and remarks on it elsewhere.
-void heed_environment(const Verb& verb, Talk& talk) {
-  for (const std::string& remark : mistyped_variables()) talk.remark(remark);
+void heed_environment(const Verb& verb, Console& console) {
+  for (const std::string& remark : mistyped_variables()) console.remark(remark);
   try {
     check_environment();
   } catch (const UsageError& error) {
     if (verb.uses_renderer) throw;
-    talk.remark(fmt::format("{} (plumb {} does not use it)", error.what(), verb.name));
+    console.remark(fmt::format("{} (plumb {} does not use it)", error.what(), verb.name));
   }
 }
 
@@ -329,9 +329,9 @@ int parse_and_act(int count, const char* const* arguments) {
     options.input = case_named(options.input);
     for (std::string& input : options.inputs) input = case_named(input);
   }
-  Talk talk(options.json || options.csv == "-" || options.output == "-", options.quiet);
-  heed_environment(*command.verb, talk);
-  return static_cast<int>(command.verb->act(options, talk));
+  Console console(options.json || options.csv == "-" || options.output == "-", options.quiet);
+  heed_environment(*command.verb, console);
+  return static_cast<int>(command.verb->act(options, console));
 }
 
 }  // namespace

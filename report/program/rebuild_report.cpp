@@ -44,7 +44,7 @@ Remade remake(const std::string& path, const std::string& folder) {
 
 }  // namespace
 
-ExitStatus report_from_document(const Options& options, Talk& talk) {
+ExitStatus report_from_document(const Options& options, Console& console) {
   std::error_code ignored;
   const bool folder_given = fs::is_directory(options.from, ignored);
   if (folder_given || fs::path(options.from).extension() == ".html")
@@ -53,16 +53,17 @@ ExitStatus report_from_document(const Options& options, Talk& talk) {
   const std::string source = fs::absolute(options.from).parent_path().string();
   const fs::path folder = options.output.empty() ? source : options.output;
   const Remade made = remake(options.from, source);
-  if (!made.document.contains(check_sum_key)) talk.remark(remark_without_sum(options.from));
-  OutputFolder output(folder.string(), {.content = FolderContent::pages,
-                                        .sources = {options.from},
-                                        .adds = true,
-                                        .beside_others = true,
-                                        .remark = [&talk](const std::string& text) { talk.remark(text); }});
+  if (!made.document.contains(check_sum_key)) console.remark(remark_without_sum(options.from));
+  OutputFolder output(folder.string(),
+                      {.content = FolderContent::pages,
+                       .sources = {options.from},
+                       .adds = true,
+                       .beside_others = true,
+                       .remark = [&console](const std::string& text) { console.remark(text); }});
   for (const auto& [file, text] : made.files) output.write(file, text);
   output.write("index.html", made.page);
   output.commit();
-  say_report(made.document, folder.string(), options, talk);
+  say_report(made.document, folder.string(), options, console);
   return made.status;
 }
 

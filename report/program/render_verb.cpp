@@ -20,7 +20,7 @@ namespace {
 
 /// Frames as PNG files one after another on standard output, for an encoder.
 ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, const Options& options,
-                                     Talk& talk) {
+                                     Console& console) {
   if (shown.motion() == nullptr) throw OutputError("there are no frames: " + shown.notes().front());
   const GlContext context;
   SceneRenderer scene(context, *shown.motion(), shown.input());
@@ -28,16 +28,16 @@ ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, co
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
                   write_to_standard_output(png);
-                  talk.progress("drawing", static_cast<double>(k + 1 - range.first) / range.count());
+                  console.progress("drawing", static_cast<double>(k + 1 - range.first) / range.count());
                 });
-  talk.end_progress();
-  talk.line(counted(range.count(), "frame", "frames") + " on standard output");
+  console.end_progress();
+  console.line(counted(range.count(), "frame", "frames") + " on standard output");
   return ExitStatus::done;
 }
 
 }  // namespace
 
-ExitStatus render_verb(const Options& options, Talk& talk) {
+ExitStatus render_verb(const Options& options, Console& console) {
   const bool to_standard_output = options.output == "-";
   if (to_standard_output && (options.json || !options.video.empty()))
     throw UsageError("-o - has standard output for the frames: neither --json nor --video goes with it");
@@ -49,15 +49,15 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   check_estimate(
       run.loaded.spec,
       {.writes_run = !to_standard_output, .draws = true, .frames = frames ? 1.0 * frames->count() : -1},
-      options.input, to_standard_output ? "." : output_path_of_run(options), options, talk);
+      options.input, to_standard_output ? "." : output_path_of_run(options), options, console);
   std::vector<OtherRun> others;
   SceneOfRun scene(run);
-  add_asked(scene, run, options, others, talk);
+  add_asked(scene, run, options, others, console);
   // Before any work.
   if (scene.motion() != nullptr)
     range_within(frame_count(scene.motion()->times.back(), run.loaded.spec.scene.frame_rate), frames);
-  if (to_standard_output) return stream_to_standard_output(run, scene, options, talk);
-  FolderUse use = folder_from(options.input, talk);
+  if (to_standard_output) return stream_to_standard_output(run, scene, options, console);
+  FolderUse use = folder_from(options.input, console);
   use.content = FolderContent::pictures;
   for (const std::vector<std::string>* paths : {&options.over, &options.beside})
     for (const std::string& path : *paths) use.reads.push_back(file_in(path, "run.h5"));
@@ -72,7 +72,7 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   write_run(run, folder);
   for (const ReportFormat& format : report_formats()) folder.keep(std::string(format.file));
   for (const char* beside : {"index.html", "study.h5", "assessment.json", "choice.json"}) folder.keep(beside);
-  const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, talk);
+  const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, console);
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
@@ -82,10 +82,10 @@ ExitStatus render_verb(const Options& options, Talk& talk) {
   }
   folder.commit();
   if (video) video->finish();
-  talk.line(fmt::format("{} and {}: {}", counted(std::ssize(pictures.figures), "figure", "figures"),
-                        counted(pictures.frames, "frame", "frames"), folder.path()));
-  if (video) talk.line("video: " + options.video);
-  say_stages(stages, talk);
+  console.line(fmt::format("{} and {}: {}", counted(std::ssize(pictures.figures), "figure", "figures"),
+                           counted(pictures.frames, "frame", "frames"), folder.path()));
+  if (video) console.line("video: " + options.video);
+  say_stages(stages, console);
   if (options.json) {
     nlohmann::ordered_json json{
         {"folder", folder.path()}, {"frames", pictures.frames}, {"figures", nlohmann::ordered_json::array()}};

@@ -14,33 +14,33 @@
 
 namespace plumb {
 
-ExitStatus report_verb(const Options& options, Talk& talk) {
+ExitStatus report_verb(const Options& options, Console& console) {
   if (!options.from.empty()) {
-    return report_from_document(options, talk);
+    return report_from_document(options, console);
   }
   if (options.inputs.empty()) throw UsageError("report needs a RUN, or --from results.json");
-  if (options.inputs.size() > 1) return index_many(matching_paths(options.inputs), options, talk);
+  if (options.inputs.size() > 1) return index_many(matching_paths(options.inputs), options, console);
   Stages stages;
   stages.begin("reading");
   if (is_study(options.input)) {
     const std::unique_ptr<MadeStudy> study = made_study(find_study(options.input));
-    OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
-    return report_on(*study, folder, stages, options, talk);
+    OutputFolder folder(output_path_of_run(options), folder_from(options.input, console));
+    return report_on(*study, folder, stages, options, console);
   }
   if (const auto json = study_json_at(options.input)) {
     const StudyKind& kind = kind_of_study_json(*json);
     refuse_changed_text(json->text, json->name);
-    OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
-    return report_on(*kind.read(json->text, json->name), folder, stages, options, talk);
+    OutputFolder folder(output_path_of_run(options), folder_from(options.input, console));
+    return report_on(*kind.read(json->text, json->name), folder, stages, options, console);
   }
   Run run = find_run(options.input);
   check_estimate(run.loaded.spec, {.writes_run = true, .draws = true}, options.input,
-                 output_path_of_run(options), options, talk);
-  OutputFolder folder(output_path_of_run(options), folder_from(options.input, talk));
+                 output_path_of_run(options), options, console);
+  OutputFolder folder(output_path_of_run(options), folder_from(options.input, console));
   note_renderer(run, try_drawing());
   write_run(run, folder);
   const std::vector<RunSection> sections = sections_beside(options.input, run, folder);
-  return draw_and_report(run, sections, folder, stages, options, talk);
+  return draw_and_report(run, sections, folder, stages, options, console);
 }
 
 }  // namespace plumb

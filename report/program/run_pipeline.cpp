@@ -26,48 +26,50 @@ constexpr const char* run_file_name = "run.h5";
 
 }  // namespace
 
-void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk) {
-  say_verdicts(verdicts_of(document), talk);
-  for (const std::string& distance : distances_in_words(document)) talk.line("  " + distance);
+void say_report(const Document& document, const std::string& folder, const Options& options,
+                Console& console) {
+  say_verdicts(verdicts_of(document), console);
+  for (const std::string& distance : distances_in_words(document)) console.line("  " + distance);
   for (const Document& note : document.at("animation").value("notes", Document::array()))
-    talk.line("animation: " + note.get<std::string>());
-  talk.line(document.at("headline").get<std::string>());
+    console.line("animation: " + note.get<std::string>());
+  console.line(document.at("headline").get<std::string>());
   for (const PageSection& section : page_sections())
-    if (section.line && document.contains(section.key)) talk.line(section.line(document.at(section.key)));
-  talk.line("report: " + folder + "/index.html");
+    if (section.line && document.contains(section.key)) console.line(section.line(document.at(section.key)));
+  console.line("report: " + folder + "/index.html");
   if (options.json) write_to_standard_output(to_json(document));
 }
 
 ExitStatus status_of(const Document& document) {
-  // A given run that failed was not solved here.
+  // An external run that failed was not solved here.
   if (!document.at("complete").get<bool>())
     return document.contains("computed_by") ? ExitStatus::criterion_not_met : ExitStatus::solver_failed;
   const bool met = document.at("all_criteria_met").get<bool>() || document.at("verdicts").empty();
   return met ? ExitStatus::done : ExitStatus::criterion_not_met;
 }
 
-void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk) {
+void say_verdicts(const std::vector<Verdict>& verdicts, Console& console) {
   for (const Verdict& verdict : verdicts) {
     const std::string status = fmt::format("{:<7}", word(verdict.status));
-    talk.line(fmt::format("  {} {:<12} {:<18} {}",
-                          verdict.status == VerdictStatus::passed ? talk.good(status) : talk.bad(status),
-                          word(verdict.kind), verdict.name, verdict.message));
+    console.line(
+        fmt::format("  {} {:<12} {:<18} {}",
+                    verdict.status == VerdictStatus::passed ? console.good(status) : console.bad(status),
+                    word(verdict.kind), verdict.name, verdict.message));
   }
 }
 
-LoadedCase load(const Options& options, Talk& talk) {
+LoadedCase load(const Options& options, Console& console) {
   LoadedCase loaded = load_case(options.input, options.overrides);
-  for (const std::string& remark : loaded.remarks) talk.remark(remark);
+  for (const std::string& remark : loaded.remarks) console.remark(remark);
   return loaded;
 }
 
-Run solve_or_take(const LoadedCase& loaded, Talk& talk) {
-  if (!reports_given_run(loaded.spec)) return solve(loaded, talk);
+Run solve_or_take(const LoadedCase& loaded, Console& console) {
+  if (!reports_given_run(loaded.spec)) return solve(loaded, console);
   Run run = reported_run(loaded, provenance_now());
-  talk.line(fmt::format("{}: not solved, given by {}: {} from {:.4g} to {:.4g} s", loaded.spec.title,
-                        computed_by(loaded.spec.given_runs.front()),
-                        counted(std::ssize(run.probes.times), "output", "outputs"), run.probes.times.front(),
-                        run.probes.times.back()));
+  console.line(fmt::format("{}: not solved, given by {}: {} from {:.4g} to {:.4g} s", loaded.spec.title,
+                           computed_by(loaded.spec.given_runs.front()),
+                           counted(std::ssize(run.probes.times), "output", "outputs"),
+                           run.probes.times.front(), run.probes.times.back()));
   return run;
 }
 
@@ -79,20 +81,20 @@ void refuse_without_method(const LoadedCase& loaded) {
                   loaded.source.file.name, loaded.spec.given_runs.front().name));
 }
 
-Run solve(const LoadedCase& loaded, Talk& talk) {
+Run solve(const LoadedCase& loaded, Console& console) {
   const double end = loaded.spec.time.end;
-  Trajectory trajectory = integrate(loaded.spec, [&](double t) { talk.progress("solving", t / end); });
-  talk.end_progress();
+  Trajectory trajectory = integrate(loaded.spec, [&](double t) { console.progress("solving", t / end); });
+  console.end_progress();
   ProbeTable probes = probe(loaded.spec, trajectory);
-  talk.line(fmt::format("{}: {} with {} to {:.4g} s in {}, {:.3g} s", loaded.spec.title,
-                        loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
-                        trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
-                        trajectory.solve_seconds));
+  console.line(fmt::format("{}: {} with {} to {:.4g} s in {}, {:.3g} s", loaded.spec.title,
+                           loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
+                           trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
+                           trajectory.solve_seconds));
   if (const std::string cuts = step_cuts(trajectory.counters.rejected_steps, trajectory.shortest_cut);
       !cuts.empty())
-    talk.line("its step was " + cuts);
+    console.line("its step was " + cuts);
   if (trajectory.outcome != Outcome::completed)
-    talk.line(talk.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
+    console.line(console.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
   return {loaded, std::move(trajectory), std::move(probes), provenance_now()};
 }
 
@@ -132,14 +134,14 @@ void write_run(const Run& run, OutputFolder& folder) {
 }
 
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
-                       OutputFolder& folder, Stages& stages, Talk& talk) {
+                       OutputFolder& folder, Stages& stages, Console& console) {
   Pictures pictures = draw(run, scene, series_errors(run), range, folder, stages,
-                           [&](double share) { talk.progress("drawing", share); });
-  talk.end_progress();
+                           [&](double share) { console.progress("drawing", share); });
+  console.end_progress();
   return pictures;
 }
 
-void say_stages(const Stages& stages, Talk& talk) {
+void say_stages(const Stages& stages, Console& console) {
   std::string text;
   double total = 0;
   for (const auto& [name, seconds] : stages.all()) {
@@ -148,7 +150,7 @@ void say_stages(const Stages& stages, Talk& talk) {
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  talk.line(talk.faint(
+  console.line(console.faint(
       fmt::format("time: {}; {:.2f} s in all; peak memory {} MB", text, total, usage.ru_maxrss / 1024)));
 }
 
@@ -156,8 +158,8 @@ namespace {
 
 /// All pictures of a report.
 Pictures draw_all(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                  Stages& stages, Talk& talk) {
-  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, talk);
+                  Stages& stages, Console& console) {
+  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, console);
   for (const RunSection& section : sections) {
     if (!section.figures) continue;
     if (!section.drawing_stage.empty()) stages.begin(section.drawing_stage);
@@ -173,16 +175,16 @@ Pictures draw_all(const Run& run, const std::vector<RunSection>& sections, Outpu
 }  // namespace
 
 ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                           Stages& stages, const Options& options, Talk& talk) {
+                           Stages& stages, const Options& options, Console& console) {
   Pictures pictures;
   std::string failure;
   try {
-    pictures = draw_all(run, sections, folder, stages, talk);
+    pictures = draw_all(run, sections, folder, stages, console);
   } catch (const WriteError&) {
     throw;
   } catch (const OutputError& error) {
     // What was solved is worth more than its pictures.
-    talk.end_progress();
+    console.end_progress();
     stages.end();
     failure = error.what();
     pictures.animation_notes = {"the pictures could not be drawn: " + failure};
@@ -196,8 +198,8 @@ ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sectio
   if (!failure.empty())
     throw OutputError(
         fmt::format("{}; the run and its report without pictures are in {}", failure, folder.path()));
-  say_report(document, folder.path(), options, talk);
-  say_stages(stages, talk);
+  say_report(document, folder.path(), options, console);
+  say_stages(stages, console);
   return status_of(document);
 }
 

@@ -14,13 +14,13 @@
 namespace plumb {
 
 /// Reads the case of the command line and says what was noteworthy. Throws InputError.
-LoadedCase load(const Options& options, Talk& talk);
+LoadedCase load(const Options& options, Console& console);
 
 /// Integrates a case and takes down what it was done with; says how it went.
-Run solve(const LoadedCase& loaded, Talk& talk);
+Run solve(const LoadedCase& loaded, Console& console);
 
-/// The same, or the given run of a case without [method].
-Run solve_or_take(const LoadedCase& loaded, Talk& talk);
+/// The same, or the external run of a case without [method].
+Run solve_or_take(const LoadedCase& loaded, Console& console);
 
 /// Throws UsageError for a case without [method], of which nothing can be solved.
 void refuse_without_method(const LoadedCase& loaded);
@@ -42,26 +42,27 @@ void note_renderer(Run& run, const std::string& fingerprint);
 void write_run(const Run& run, OutputFolder& folder);
 
 /// Says the verdicts, the headline and where the report is; with --json prints the document.
-void say_report(const Document& document, const std::string& folder, const Options& options, Talk& talk);
+void say_report(const Document& document, const std::string& folder, const Options& options,
+                Console& console);
 
 /// 0, 1 or 4 by how the run ended and its verdicts; 1 where one that was given is known to have failed.
 ExitStatus status_of(const Document& document);
 
-void say_verdicts(const std::vector<Verdict>& verdicts, Talk& talk);
+void say_verdicts(const std::vector<Verdict>& verdicts, Console& console);
 
 /// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
-                       OutputFolder& folder, Stages& stages, Talk& talk);
+                       OutputFolder& folder, Stages& stages, Console& console);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 /// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.
 ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                           Stages& stages, const Options& options, Talk& talk);
+                           Stages& stages, const Options& options, Console& console);
 
 /// `plumb run` of one case.
-ExitStatus run_one(const Options& options, Talk& talk);
+ExitStatus run_one(const Options& options, Console& console);
 
 /// Says where the time went, and the peak memory.
-void say_stages(const Stages& stages, Talk& talk);
+void say_stages(const Stages& stages, Console& console);
 
 }  // namespace plumb

@@ -32,15 +32,15 @@ std::span<const PageSection> page_sections() {
 
 std::vector<RunSection> computed_sections(const Run& run, const std::optional<Economy>& economy,
                                           Journal& journal, OutputFolder& folder, Stages& stages,
-                                          Talk& talk) {
+                                          Console& console) {
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.
   if (run.loaded.spec.work_precision && run.loaded.spec.cable.model != CableModel::rigid) {
     stages.begin("study");
-    study = quick_study(run.loaded, journal, talk);
+    study = quick_study(run.loaded, journal, console);
     write_study(*study, folder);
   }
-  const Assessment assessment = assess(run, journal, stages, talk);
+  const Assessment assessment = assess(run, journal, stages, console);
   write_assessment(assessment, folder);
   return sections_of(run, study, economy, assessment);
 }

@@ -21,7 +21,8 @@ std::span<const PageSection> page_sections();
 /// Computes what the case of a run asks for, with a progress bar, and writes it into the folder. `journal`
 /// keeps what is done, `economy` is what the scene needs, where the run was left to it.
 std::vector<RunSection> computed_sections(const Run& run, const std::optional<Economy>& economy,
-                                          Journal& journal, OutputFolder& folder, Stages& stages, Talk& talk);
+                                          Journal& journal, OutputFolder& folder, Stages& stages,
+                                          Console& console);
 
 /// The same of what lies beside a run, which is written anew. Throws InputError where it cannot be used.
 std::vector<RunSection> sections_beside(const std::string& run_path, const Run& run, OutputFolder& folder);

@@ -15,29 +15,29 @@
 
 namespace plumb {
 
-ExitStatus run_verb(const Options& options, Talk& talk) {
+ExitStatus run_verb(const Options& options, Console& console) {
   const std::vector<std::string> cases = matching_paths(options.inputs);
-  if (cases.size() > 1) return run_many(cases, options, talk);
+  if (cases.size() > 1) return run_many(cases, options, console);
   Options one = options;
   one.input = cases.front();
-  return run_one(one, talk);
+  return run_one(one, console);
 }
 
-ExitStatus run_one(const Options& options, Talk& talk) {
+ExitStatus run_one(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
-  LoadedCase loaded = load(options, talk);
+  LoadedCase loaded = load(options, console);
   // Before any work: a baseline that is not there would be found out too late.
   std::optional<Document> baseline;
   if (!options.baseline.empty()) baseline = find_baseline(options.baseline);
   check_estimate(loaded.spec, work_of_run(loaded.spec), loaded.source.file.name, output_path(options, loaded),
-                 options, talk);
-  OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, talk));
+                 options, console);
+  OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, console));
   const std::string renderer = try_drawing();
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
     stages.begin("choosing");
-    SceneChoice choice = choose_for_scene(loaded, folder.path(), options, talk);
+    SceneChoice choice = choose_for_scene(loaded, folder.path(), options, console);
     write_choice(choice, folder);
     loaded = std::move(choice.loaded);
     economy = std::move(choice.economy);
@@ -45,19 +45,19 @@ ExitStatus run_one(const Options& options, Talk& talk) {
     folder.keep("choice.json");
   }
   if (baseline) refuse_other_case(*baseline, options.baseline, Document::parse(to_json(case_json(loaded))));
-  stages.begin(reports_given_run(loaded.spec) ? "taking the given run" : solving_stage);
-  Run run = solve_or_take(loaded, talk);
+  stages.begin(reports_given_run(loaded.spec) ? "taking the external run" : solving_stage);
+  Run run = solve_or_take(loaded, console);
   // A start that is not finite leaves nothing to draw or report; the line about it has been said.
   if (run.trajectory.times.empty()) return ExitStatus::solver_failed;
   stages.begin("run file");
   note_renderer(run, renderer);
   if (economy) run.provenance.emplace_back(left_to_scene, "as choice.json says");
   write_run(run, folder);
-  KeptPoints points(folder.path(), loaded.source, talk);
+  KeptPoints points(folder.path(), loaded.source, console);
   const std::vector<RunSection> sections =
-      computed_sections(run, economy, points.journal(), folder, stages, talk);
+      computed_sections(run, economy, points.journal(), folder, stages, console);
   points.write(folder);
-  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, talk);
+  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console);
   points.remove();
   return status;
 }

@@ -40,14 +40,14 @@ bool is_as_written(const std::string& text) {
 }
 
 /// What was set of the model and the method is overruled.
-CaseSource with_choice(const LoadedCase& loaded, const Rung& rung) {
+CaseSource with_choice(const LoadedCase& loaded, const Candidate& candidate) {
   CaseSource source = loaded.source;
   std::erase_if(source.overrides, [&](const std::string& text) {
     return text.starts_with("method.") || text.starts_with("cable.quadrature") ||
-           (rung.cable.model != CableModel::cable && text.starts_with("cable.second_moment")) ||
-           (rung.cable.model == CableModel::rigid && text.starts_with("cable.strain"));
+           (candidate.cable.model != CableModel::cable && text.starts_with("cable.second_moment")) ||
+           (candidate.cable.model == CableModel::rigid && text.starts_with("cable.strain"));
   });
-  for (std::string& setting : rung_overrides(loaded.spec, rung))
+  for (std::string& setting : candidate_overrides(loaded.spec, candidate))
     source.overrides.push_back(std::move(setting));
   return source;
 }
@@ -63,7 +63,7 @@ bool is_left_to_scene(const LoadedCase& loaded, const Options& options) {
 }
 
 SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder, const Options& options,
-                             Talk& talk) {
+                             Console& console) {
   SceneChoice choice;
   choice.key = choice_key(loaded.source);
   const std::optional<std::string> text = choice_text_in(folder);
@@ -72,16 +72,16 @@ SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder
   if (known) {
     choice.economy = std::move(*known);
     choice.economy.reused = true;
-    talk.line(
+    console.line(
         fmt::format("what the scene needs is known from an earlier search: {}/{}", folder, choice_file_name));
   } else {
-    choice.economy = choose_rung(loaded.spec, gauge_maker(loaded.spec));
+    choice.economy = choose_candidate(loaded.spec, gauge_maker(loaded.spec));
   }
-  const TriedRung& taken = *choice.economy.choice();
-  choice.loaded = load_case(with_choice(loaded, taken.rung));
+  const TriedCandidate& taken = *choice.economy.choice();
+  choice.loaded = load_case(with_choice(loaded, taken.candidate));
   if (options.explain)
-    for (const std::string& line : explain(choice.economy)) talk.line(line);
-  talk.line(economy_sentence(choice.economy, loaded.spec.scene));
+    for (const std::string& line : explain(choice.economy)) console.line(line);
+  console.line(economy_sentence(choice.economy, loaded.spec.scene));
   return choice;
 }
 
@@ -90,9 +90,9 @@ void write_choice(const SceneChoice& choice, OutputFolder& folder) {
 }
 
 LoadedCase as_the_scene_needs(const LoadedCase& loaded, const std::string& folder, const Options& options,
-                              Talk& talk) {
+                              Console& console) {
   if (!is_left_to_scene(loaded, options)) return loaded;
-  return choose_for_scene(loaded, folder, options, talk).loaded;
+  return choose_for_scene(loaded, folder, options, console).loaded;
 }
 
 std::optional<Economy> choice_beside(const std::string& run_path, const Run& run, OutputFolder& folder) {

@@ -25,14 +25,14 @@ bool is_left_to_scene(const LoadedCase& loaded, const Options& options);
 /// What the scene of a case needs: as choice.json in the folder says, if it is of the same case and program,
 /// or by a search. Says what was chosen, and with --explain why. Throws InputError.
 SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder, const Options& options,
-                             Talk& talk);
+                             Console& console);
 
 /// Writes choice.json.
 void write_choice(const SceneChoice& choice, OutputFolder& folder);
 
 /// The case as it is to be run: that of the choice where it is left to the scene.
 LoadedCase as_the_scene_needs(const LoadedCase& loaded, const std::string& folder, const Options& options,
-                              Talk& talk);
+                              Console& console);
 
 /// The choice that lies beside a run and that the run is of, if there is one; and keeps its file.
 std::optional<Economy> choice_beside(const std::string& run_path, const Run& run, OutputFolder& folder);

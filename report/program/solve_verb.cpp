@@ -12,17 +12,17 @@
 
 namespace plumb {
 
-ExitStatus solve_verb(const Options& options, Talk& talk) {
+ExitStatus solve_verb(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
-  const LoadedCase given = load(options, talk);
+  const LoadedCase given = load(options, console);
   refuse_without_method(given);
   const bool writes_run = options.csv.empty() || !options.output.empty();
   check_estimate(given.spec, {.solves = true, .writes_run = writes_run, .writes_table = !options.csv.empty()},
-                 given.source.file.name, output_path(options, given), options, talk);
-  const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, talk);
+                 given.source.file.name, output_path(options, given), options, console);
+  const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, console);
   std::optional<OutputFolder> folder;
-  FolderUse use = folder_for(given, options, talk);
+  FolderUse use = folder_for(given, options, console);
   if (writes_run) {
     use.content = FolderContent::run;
     folder.emplace(output_path(options, loaded), use);
@@ -30,18 +30,18 @@ ExitStatus solve_verb(const Options& options, Talk& talk) {
   if (!options.csv.empty() && options.csv != "-")
     refuse_to_overwrite("--csv", options.csv, use.reads, folder ? folder->path() : "");
   stages.begin(solving_stage);
-  const Run run = solve(loaded, talk);
+  const Run run = solve(loaded, console);
   stages.begin("writing the run");
   if (folder) {
     write_run(run, *folder);
     folder->commit();
-    talk.line("run: " + folder->path() + "/run.h5");
+    console.line("run: " + folder->path() + "/run.h5");
   }
   if (options.csv == "-") {
     write_to_standard_output(to_csv(run.probes));
   } else if (!options.csv.empty()) {
     write_file(options.csv, to_csv(run.probes));
-    talk.line("probes: " + options.csv);
+    console.line("probes: " + options.csv);
   }
   if (options.json) print_json(solve_json(run));
   return run.trajectory.outcome == Outcome::completed ? ExitStatus::done : ExitStatus::solver_failed;

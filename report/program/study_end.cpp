@@ -6,20 +6,20 @@
 namespace plumb {
 namespace {
 
-void say(const Finding& finding, Talk& talk) {
+void say(const Finding& finding, Console& console) {
   using Mood = Finding::Mood;
   const std::string& mark = finding.mark;
-  talk.line((finding.mood == Mood::good    ? talk.good(mark)
-             : finding.mood == Mood::bad   ? talk.bad(mark)
-             : finding.mood == Mood::faint ? talk.faint(mark)
-                                           : mark) +
-            finding.text);
+  console.line((finding.mood == Mood::good    ? console.good(mark)
+                : finding.mood == Mood::bad   ? console.bad(mark)
+                : finding.mood == Mood::faint ? console.faint(mark)
+                                              : mark) +
+               finding.text);
 }
 
 }  // namespace
 
 ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stages, const Options& options,
-                     Talk& talk) {
+                     Console& console) {
   const auto [name, bytes] = study.file();
   folder.write(name, bytes);
   stages.begin("figures");
@@ -33,11 +33,11 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   write_formats(content, folder);
   folder.commit();
   stages.end();
-  for (const Finding& finding : study.findings()) say(finding, talk);
-  if (study.says_verdicts()) say_verdicts(report.verdicts, talk);
-  talk.line(report.headline);
-  say_stages(stages, talk);
-  talk.line("report: " + folder.path() + "/index.html");
+  for (const Finding& finding : study.findings()) say(finding, console);
+  if (study.says_verdicts()) say_verdicts(report.verdicts, console);
+  console.line(report.headline);
+  say_stages(stages, console);
+  console.line("report: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(content.document, false));
   if (!report.complete) return ExitStatus::solver_failed;
   return all_passed(report.verdicts) ? ExitStatus::done : ExitStatus::criterion_not_met;

@@ -12,6 +12,6 @@ namespace plumb {
 /// where the time went and where the report is; with --json prints results.json. The exit status is that of
 /// the verdicts, or that of a solver that failed where nothing could be run. Throws OutputError.
 ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stages, const Options& options,
-                     Talk& talk);
+                     Console& console);
 
 }  // namespace plumb

@@ -13,39 +13,39 @@
 
 namespace plumb {
 
-ExitStatus study_verb(const Options& options, Talk& talk) {
+ExitStatus study_verb(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
-  LoadedCase loaded = load(options, talk);
+  LoadedCase loaded = load(options, console);
   refuse_without_method(loaded);
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
   const std::string path =
       options.output.empty() ? output_path(options, loaded) + kind.folder : options.output;
   check_estimate(loaded.spec, {.draws = true, .study = kind.name, .frames = 0}, loaded.source.file.name, path,
-                 options, talk);
+                 options, console);
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && !kind.asks_what_a_scene_needs)
-    loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, talk);
+    loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, console);
   if (loaded.spec.cable.model == CableModel::rigid)
     throw InputError(loaded.source.file.name +
                      ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
-  OutputFolder folder(path, folder_for(loaded, options, talk));
+  OutputFolder folder(path, folder_for(loaded, options, console));
   try_drawing();
-  KeptPoints points(folder.path(), loaded.source, talk);
+  KeptPoints points(folder.path(), loaded.source, console);
   points.take_over_from_run(output_path(options, loaded));
   std::string stage;
   Runner runner(points.journal(), [&](const std::string& part, double share) {
     if (part != stage) stages.begin(stage = part);
-    talk.progress(part, share);
+    console.progress(part, share);
   });
   try {
     const std::unique_ptr<MadeStudy> made = kind.make(loaded, runner);
-    talk.end_progress();
-    const ExitStatus status = report_on(*made, folder, stages, options, talk);
+    console.end_progress();
+    const ExitStatus status = report_on(*made, folder, stages, options, console);
     points.remove();
     return status;
   } catch (const Interrupted&) {
-    points.say_kept(talk);
+    points.say_kept(console);
     throw;
   } catch (const WriteError&) {
     throw;

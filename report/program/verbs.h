@@ -12,7 +12,7 @@ namespace plumb {
 struct Verb {
   std::string name;
   std::string summary;
-  ExitStatus (*act)(const Options& options, Talk& talk) = nullptr;
+  ExitStatus (*act)(const Options& options, Console& console) = nullptr;
   std::string input = {};   ///< what its argument is called in the help: "CASE", "RUN"; empty: takes none
   bool takes_many = false;  ///< of its argument, in Options::inputs
   bool takes_baseline = false;
@@ -30,14 +30,14 @@ struct Verb {
 
 std::span<const Verb> verbs();
 
-ExitStatus run_verb(const Options& options, Talk& talk);
-ExitStatus solve_verb(const Options& options, Talk& talk);
-ExitStatus render_verb(const Options& options, Talk& talk);
-ExitStatus report_verb(const Options& options, Talk& talk);
-ExitStatus study_verb(const Options& options, Talk& talk);
-ExitStatus check_verb(const Options& options, Talk& talk);
-ExitStatus diff_verb(const Options& options, Talk& talk);
-ExitStatus doctor_verb(const Options& options, Talk& talk);
+ExitStatus run_verb(const Options& options, Console& console);
+ExitStatus solve_verb(const Options& options, Console& console);
+ExitStatus render_verb(const Options& options, Console& console);
+ExitStatus report_verb(const Options& options, Console& console);
+ExitStatus study_verb(const Options& options, Console& console);
+ExitStatus check_verb(const Options& options, Console& console);
+ExitStatus diff_verb(const Options& options, Console& console);
+ExitStatus doctor_verb(const Options& options, Console& console);
 
 /// What a command line asks for.
 struct Command {

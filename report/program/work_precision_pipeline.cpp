@@ -10,11 +10,11 @@ namespace plumb {
 
 namespace fs = std::filesystem;
 
-Study quick_study(const LoadedCase& loaded, Journal& journal, Talk& talk) {
+Study quick_study(const LoadedCase& loaded, Journal& journal, Console& console) {
   Runner runner(journal,
-                [&](const std::string& part, double share) { talk.progress("study: " + part, share); });
+                [&](const std::string& part, double share) { console.progress("study: " + part, share); });
   Study study{loaded, run_work_precision(loaded.spec, true, runner)};
-  talk.end_progress();
+  console.end_progress();
   return study;
 }
 

@@ -10,7 +10,7 @@
 namespace plumb {
 
 /// Makes the quick study of a case with a progress bar.
-Study quick_study(const LoadedCase& loaded, Journal& journal, Talk& talk);
+Study quick_study(const LoadedCase& loaded, Journal& journal, Console& console);
 
 /// Writes study.h5.
 void write_study(const Study& study, OutputFolder& folder);

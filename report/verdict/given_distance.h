@@ -8,8 +8,8 @@
 
 namespace plumb {
 
-/// How far a given run is from the run that is reported, in one column that both have: given minus reported,
-/// at the times of both, each interpolated at those of the other.
+/// How far an external run is from the run that is reported, in one column that both have: given minus
+/// reported, at the times of both, each interpolated at those of the other.
 struct GivenDistance {
   std::size_t given_run = 0;  ///< which [[run]] of the case
   std::string column;         ///< "tip.x"
@@ -24,7 +24,7 @@ struct GivenDistance {
   bool repeats = false;  ///< the numbers of one are among those of the other: it is one run
 };
 
-/// The distances of all given runs to the one that is reported.
+/// The distances of all external runs to the one that is reported.
 std::vector<GivenDistance> given_distances(const Run& run);
 
 /// A verdict for each of them that the case gives a tolerance for: verification, code against code.

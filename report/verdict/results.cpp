@@ -58,13 +58,13 @@ std::string those_in_words(const std::vector<Verdict>& verdicts, VerdictStatus s
                                  counted(more, "other criterion", "other criteria"), what);
 }
 
-/// "the run with 4 elements", "the given run chrono".
+/// "the run with 4 elements", "the external run chrono".
 std::string run_in_words(const Case& spec) {
-  return reports_given_run(spec) ? "the given run " + spec.given_runs.front().name
+  return reports_given_run(spec) ? "the external run " + spec.given_runs.front().name
                                  : "the run with " + counted(spec.cable.elements, "element", "elements");
 }
 
-/// What became of the given runs beside the one that is reported, a sentence each.
+/// What became of the external runs beside the one that is reported, a sentence each.
 std::string given_in_words(const Results& results) {
   const Case& spec = results.run.loaded.spec;
   std::string text;

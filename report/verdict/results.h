@@ -24,10 +24,10 @@ struct Results {
   std::vector<Verdict> verdicts;
   Stages stages;  ///< those before the report itself
   /// `accurate` where the run completed, was held against a reference, and every verdict of it and of the
-  /// given runs beside it passed; `inaccurate` where it completed and one of its own failed; else how the
+  /// external runs beside it passed; `inaccurate` where it completed and one of its own failed; else how the
   /// integration itself ended.
   Outcome outcome = Outcome::not_run;
-  std::vector<GivenDistance> distances = {};  ///< of given runs to the one that is reported
+  std::vector<GivenDistance> distances = {};  ///< of external runs to the one that is reported
   std::vector<RunSection> sections = {};      ///< what else was computed of it, in the order of results.json
 
   bool solved() const { return run.trajectory.outcome == Outcome::completed; }

@@ -63,7 +63,7 @@ void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vecto
   }
 }
 
-/// The given run that is meant; nullptr for one of Plumb's own.
+/// The external run that is meant; nullptr for one of Plumb's own.
 const GivenRun* given_of(const Run& run, std::optional<std::size_t> given_run) {
   if (given_run) return &run.loaded.given_runs[*given_run];
   return reports_given_run(run.loaded.spec) ? &run.loaded.given_runs.front() : nullptr;

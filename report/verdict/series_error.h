@@ -39,7 +39,7 @@ struct SeriesError {
 };
 
 /// The errors of every comparison of the case, in its order: those of the run that is reported, and then
-/// those of each given run beside it.
+/// those of each external run beside it.
 std::vector<SeriesError> series_errors(const Run& run);
 
 /// A run at times (s): that which is reported, or the k-th given one.

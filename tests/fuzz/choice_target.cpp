@@ -24,12 +24,12 @@ std::vector<std::string> seeds() {
   const LoadedCase loaded = tiny_sweep_case();
   Economy economy;
   economy.tolerance = 0.5;
-  TriedRung rung;
-  rung.rung.cable = loaded.spec.cable;
-  rung.rung.method = loaded.spec.method;
-  rung.outcome = Outcome::completed;
-  rung.estimate = 0.25;
-  economy.tried = {rung, rung};
+  TriedCandidate candidate;
+  candidate.candidate.cable = loaded.spec.cable;
+  candidate.candidate.method = loaded.spec.method;
+  candidate.outcome = Outcome::completed;
+  candidate.estimate = 0.25;
+  economy.tried = {candidate, candidate};
   economy.tried.front().estimate = std::numeric_limits<double>::infinity();
   economy.chosen = 1;
   economy.holds = true;

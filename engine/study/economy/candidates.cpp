@@ -42,20 +42,21 @@ MethodSpec with_step(const MethodInfo& info, double step) {
   return method;
 }
 
-double steps(const Case& spec, const Rung& rung) {
-  return std::ceil(spec.time.end / *rung.method.step);
+double steps(const Case& spec, const Candidate& candidate) {
+  return std::ceil(spec.time.end / *candidate.method.step);
 }
 
-Rung leapfrog(const Case& spec, CableSpec cable, double share_of_step) {
+Candidate leapfrog(const Case& spec, CableSpec cable, double share_of_step) {
   const bool chain = cable.model == CableModel::chain;
   const double link = cable.length / cable.elements;
   const double frequency =
       chain ? 2 * std::sqrt(cable.youngs_modulus / cable.density) / link : straight_frequency(cable);
   const double longest = scene_output_interval(spec) / 2;
-  Rung rung{cable, with_step(usual_explicit(),
-                             in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
-  rung.work = steps(spec, rung) * (chain ? leapfrog_chain : leapfrog_cable).of(cable.elements);
-  return rung;
+  Candidate candidate{cable,
+                      with_step(usual_explicit(),
+                                in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
+  candidate.work = steps(spec, candidate) * (chain ? leapfrog_chain : leapfrog_cable).of(cable.elements);
+  return candidate;
 }
 
 CableSpec meshed(const Case& spec, int elements) {
@@ -81,7 +82,7 @@ bool has_chain(const Case& spec) {
          spec.scene.color_by != ColorField::bending_moment;
 }
 
-Rung rigid_rung(const Case& spec) {
+Candidate rigid_candidate(const Case& spec) {
   constexpr double phase = 0.05;  // turned a step: a method of order 4 is off by some 1e-8 of that
   CableSpec cable = meshed(spec, 1);
   cable.model = CableModel::rigid;
@@ -99,20 +100,20 @@ Rung rigid_rung(const Case& spec) {
   }
   const double fastest = std::sqrt(spec.start.angular_velocity.squaredNorm() + 4 * pull);
   const double longest = scene_output_interval(spec);
-  Rung rung{cable, with_step(rigid_rod_method(),
-                             in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
-  rung.work = steps(spec, rung) * rigid_step.of(1);
-  return rung;
+  Candidate candidate{cable, with_step(rigid_rod_method(),
+                                       in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
+  candidate.work = steps(spec, candidate) * rigid_step.of(1);
+  return candidate;
 }
 
-void add_implicit(const Case& spec, int elements, double below, std::vector<Rung>& rungs) {
+void add_implicit(const Case& spec, int elements, double below, std::vector<Candidate>& candidates) {
   constexpr int most_halvings = 7;
   double step = scene_output_interval(spec);
   for (int k = 0; k <= most_halvings; ++k, step /= 2) {
-    Rung rung{meshed(spec, elements), with_step(usual_implicit(), step)};
-    rung.work = steps(spec, rung) * implicit_step.of(elements);
-    if (rung.work >= below) return;
-    rungs.push_back(std::move(rung));
+    Candidate candidate{meshed(spec, elements), with_step(usual_implicit(), step)};
+    candidate.work = steps(spec, candidate) * implicit_step.of(elements);
+    if (candidate.work >= below) return;
+    candidates.push_back(std::move(candidate));
   }
 }
 
@@ -125,37 +126,37 @@ double scene_output_interval(const Case& spec) {
   return std::min(frames / std::ceil(frames / spec.time.output_interval - 1e-9), spec.time.end);
 }
 
-Case with_rung(const Case& spec, const Rung& rung) {
+Case with_candidate(const Case& spec, const Candidate& candidate) {
   Case result = spec;
-  result.cable = rung.cable;
-  result.method = rung.method;
+  result.cable = candidate.cable;
+  result.method = candidate.method;
   result.time.output_interval = scene_output_interval(spec);
   return result;
 }
 
-std::vector<std::string> rung_overrides(const Case& spec, const Rung& rung) {
+std::vector<std::string> candidate_overrides(const Case& spec, const Candidate& candidate) {
   std::vector<std::string> result{
-      fmt::format("cable.model={}", word(rung.cable.model)),
-      fmt::format("cable.elements={}", rung.cable.elements),
+      fmt::format("cable.model={}", word(candidate.cable.model)),
+      fmt::format("cable.elements={}", candidate.cable.elements),
       fmt::format("time.output_interval={}", scene_output_interval(spec)),
   };
-  if (rung.cable.model == CableModel::cable) {
-    result.push_back(fmt::format("cable.quadrature={}", word(rung.cable.quadrature)));
-    if (rung.cable.second_moment != spec.cable.second_moment)
-      result.push_back(fmt::format("cable.second_moment={}", rung.cable.second_moment));
+  if (candidate.cable.model == CableModel::cable) {
+    result.push_back(fmt::format("cable.quadrature={}", word(candidate.cable.quadrature)));
+    if (candidate.cable.second_moment != spec.cable.second_moment)
+      result.push_back(fmt::format("cable.second_moment={}", candidate.cable.second_moment));
   }
-  result.push_back(fmt::format("method.name={}", rung.method.name));
-  if (rung.method.step) result.push_back(fmt::format("method.step={}", *rung.method.step));
-  if (rung.method.rtol) result.push_back(fmt::format("method.rtol={}", *rung.method.rtol));
-  if (rung.method.atol) result.push_back(fmt::format("method.atol={}", *rung.method.atol));
+  result.push_back(fmt::format("method.name={}", candidate.method.name));
+  if (candidate.method.step) result.push_back(fmt::format("method.step={}", *candidate.method.step));
+  if (candidate.method.rtol) result.push_back(fmt::format("method.rtol={}", *candidate.method.rtol));
+  if (candidate.method.atol) result.push_back(fmt::format("method.atol={}", *candidate.method.atol));
   // All of them, as the file may have others for a method of the same name.
-  for (const auto& [name, value] : rung.method.parameters)
+  for (const auto& [name, value] : candidate.method.parameters)
     result.push_back(fmt::format("method.{}={}", name, value));
   return result;
 }
 
-std::string in_words(const Rung& rung) {
-  const CableSpec& cable = rung.cable;
+std::string in_words(const Candidate& candidate) {
+  const CableSpec& cable = candidate.cable;
   const auto counted = [&](const char* one) {
     return fmt::format("{} {}{}", cable.elements, one, cable.elements == 1 ? "" : "s");
   };
@@ -170,26 +171,26 @@ std::string in_words(const Rung& rung) {
     if (cable.quadrature == QuadratureRule::reduced) text += ", reduced quadrature";
     if (cable.second_moment == 0) text += ", no bending";
   }
-  text += ", " + rung.method.name;
-  if (rung.method.step) text += fmt::format(" with step {:.3g} s", *rung.method.step);
-  if (rung.method.rtol) text += fmt::format(" with rtol {:.3g}", *rung.method.rtol);
+  text += ", " + candidate.method.name;
+  if (candidate.method.step) text += fmt::format(" with step {:.3g} s", *candidate.method.step);
+  if (candidate.method.rtol) text += fmt::format(" with rtol {:.3g}", *candidate.method.rtol);
   return text;
 }
 
-bool is_leapfrog(const Rung& rung) {
-  return rung.method.name == usual_explicit().name;
+bool is_leapfrog(const Candidate& candidate) {
+  return candidate.method.name == usual_explicit().name;
 }
 
-Rung cable_rung(const Case& spec, int elements, double share_of_step) {
+Candidate cable_candidate(const Case& spec, int elements, double share_of_step) {
   return leapfrog(spec, meshed(spec, elements), share_of_step);
 }
 
-std::vector<Rung> ladder(const Case& spec, double limit) {
-  std::vector<Rung> rungs;
-  const auto add = [&](Rung rung) {
-    if (rung.work < limit) rungs.push_back(std::move(rung));
+std::vector<Candidate> all_candidates(const Case& spec, double limit) {
+  std::vector<Candidate> candidates;
+  const auto add = [&](Candidate candidate) {
+    if (candidate.work < limit) candidates.push_back(std::move(candidate));
   };
-  if (has_rigid_rod(spec)) add(rigid_rung(spec));
+  if (has_rigid_rod(spec)) add(rigid_candidate(spec));
   for (const int elements : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256}) {
     if (has_chain(spec) && elements > 1) {
       CableSpec chain = meshed(spec, elements);
@@ -209,22 +210,23 @@ std::vector<Rung> ladder(const Case& spec, double limit) {
       CableSpec slack = cable;
       slack.second_moment = 0;
       // Of the same step there is nothing to be gained: the kernels bend a cable without stiffness as well.
-      if (const Rung rung = leapfrog(spec, slack, 1);
-          *rung.method.step > 1.01 * *leapfrog(spec, cable, 1).method.step)
-        add(rung);
+      if (const Candidate candidate = leapfrog(spec, slack, 1);
+          *candidate.method.step > 1.01 * *leapfrog(spec, cable, 1).method.step)
+        add(candidate);
     }
-    add_implicit(spec, elements, std::min(limit, leapfrog(spec, cable, 1).work), rungs);
+    add_implicit(spec, elements, std::min(limit, leapfrog(spec, cable, 1).work), candidates);
   }
-  std::stable_sort(rungs.begin(), rungs.end(), [](const Rung& a, const Rung& b) { return a.work < b.work; });
-  return rungs;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.work < b.work; });
+  return candidates;
 }
 
-Rung safe_rung(const Case& spec) {
-  Rung rung{meshed(spec, safe_elements), plain_method(embedded_explicit())};
-  rung.method.rtol = rung.method.atol = safe_tolerance;
-  rung.work =
-      std::ceil(spec.time.end * straight_frequency(rung.cable) / safe_phase) * safe_step.of(safe_elements);
-  return rung;
+Candidate safe_candidate(const Case& spec) {
+  Candidate candidate{meshed(spec, safe_elements), plain_method(embedded_explicit())};
+  candidate.method.rtol = candidate.method.atol = safe_tolerance;
+  candidate.work = std::ceil(spec.time.end * straight_frequency(candidate.cable) / safe_phase) *
+                   safe_step.of(safe_elements);
+  return candidate;
 }
 
 }  // namespace plumb

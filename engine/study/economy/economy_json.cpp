@@ -111,11 +111,11 @@ std::optional<Economy> with_key(const std::string& text, const char* name, const
 
 }  // namespace
 
-Json tried_rung_json(const TriedRung& tried) {
-  return {{"in_words", in_words(tried.rung)},
-          {"cable", cable_json(tried.rung.cable)},
-          {"method", method_json(tried.rung.method)},
-          {"predicted_work", tried.rung.work},
+Json tried_candidate_json(const TriedCandidate& tried) {
+  return {{"in_words", in_words(tried.candidate)},
+          {"cable", cable_json(tried.candidate.cable)},
+          {"method", method_json(tried.candidate.method)},
+          {"predicted_work", tried.candidate.work},
           {"outcome", word(tried.outcome)},
           {"message", tried.message},
           {"seconds", tried.seconds},
@@ -125,11 +125,11 @@ Json tried_rung_json(const TriedRung& tried) {
           {"why", tried.why}};
 }
 
-TriedRung tried_rung_of(const Json& json) {
-  TriedRung tried;
-  tried.rung.cable = cable_of(json.at("cable"));
-  tried.rung.method = method_of(json.at("method"));
-  tried.rung.work = json.at("predicted_work").get<double>();
+TriedCandidate tried_candidate_of(const Json& json) {
+  TriedCandidate tried;
+  tried.candidate.cable = cable_of(json.at("cable"));
+  tried.candidate.method = method_of(json.at("method"));
+  tried.candidate.work = json.at("predicted_work").get<double>();
   tried.outcome = outcome_named(json.at("outcome").get<std::string>());
   tried.message = json.at("message").get<std::string>();
   tried.seconds = json.at("seconds").get<double>();
@@ -157,7 +157,7 @@ Json economy_json(const Economy& economy) {
             {"safe_work", economy.safe_work},
             {"reused", economy.reused}};
   json["tried"] = Json::array();
-  for (const TriedRung& tried : economy.tried) json["tried"].push_back(tried_rung_json(tried));
+  for (const TriedCandidate& tried : economy.tried) json["tried"].push_back(tried_candidate_json(tried));
   return json;
 }
 
@@ -176,9 +176,9 @@ Economy economy_of(const Json& json) {
   economy.search_work = json.at("search_work").get<double>();
   economy.safe_work = json.at("safe_work").get<double>();
   economy.reused = json.at("reused").get<bool>();
-  for (const Json& tried : json.at("tried")) economy.tried.push_back(tried_rung_of(tried));
+  for (const Json& tried : json.at("tried")) economy.tried.push_back(tried_candidate_of(tried));
   if (economy.chosen < -1 || economy.chosen >= std::ssize(economy.tried))
-    throw std::runtime_error("the chosen rung is none of those tried");
+    throw std::runtime_error("the chosen candidate is none of those tried");
   return economy;
 }
 

@@ -12,10 +12,11 @@ namespace plumb {
 /// Version of choice.json; a choice of another version is not used.
 inline constexpr int choice_version = 1;
 
-/// A rung with what was found of it, as choice.json and results.json have it. What is not finite is null.
-nlohmann::ordered_json tried_rung_json(const TriedRung& tried);
+/// A candidate with what was found of it, as choice.json and results.json have it. What is not finite is
+/// null.
+nlohmann::ordered_json tried_candidate_json(const TriedCandidate& tried);
 /// Throws nlohmann::json::exception or std::runtime_error for anything else.
-TriedRung tried_rung_of(const nlohmann::ordered_json& json);
+TriedCandidate tried_candidate_of(const nlohmann::ordered_json& json);
 
 /// A whole search.
 nlohmann::ordered_json economy_json(const Economy& economy);

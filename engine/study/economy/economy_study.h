@@ -15,7 +15,7 @@ struct SceneNeed {
   std::string name;  ///< "320 by 180, camera of the scene"
   SceneSpec scene;
   Economy economy;              ///< with the true errors of all that was tried
-  double seconds = -1;          ///< of the chosen rung's time loop, the least of three
+  double seconds = -1;          ///< of the chosen candidate's time loop, the least of three
   double reference_doubt = -1;  ///< what the reference may be off by, pixels
   bool certified = false;       ///< that is at most a tenth of the tolerance
 
@@ -23,7 +23,7 @@ struct SceneNeed {
   /// was tried and has both.
   double worst_ratio() const;
   /// Over how many that is; 0 where what the reference may be off by is not known.
-  long proven_rungs() const;
+  long proven_candidates() const;
 };
 
 /// A random scene and what became of it.
@@ -36,7 +36,7 @@ struct RandomScene {
   double estimate = -1;                ///< pixels
   double true_error = -1;              ///< pixels
   double reference_doubt = -1;         ///< pixels
-  double seconds = -1;                 ///< of the chosen rung
+  double seconds = -1;                 ///< of the chosen candidate
   double search_share = -1;            ///< of the predicted cost of one run at the safe default
   std::string uncertain;               ///< where it does not hold
 

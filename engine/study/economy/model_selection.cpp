@@ -56,7 +56,7 @@ class Search {
  public:
   Search(const Case& spec, const MakeGauge& make_gauge) : spec_(spec), make_gauge_(make_gauge) {
     result_.tolerance = spec.scene.tolerance;
-    result_.safe_work = safe_rung(spec).work;
+    result_.safe_work = safe_candidate(spec).work;
     if (spec.cable.model == CableModel::cable) result_.case_elements = spec.cable.elements;
   }
 
@@ -73,18 +73,20 @@ class Search {
 
  private:
   struct Member {
-    TriedRung tried;
+    TriedCandidate tried;
     Trajectory trajectory;
     std::vector<double> distances;  // to the finest, so far, a frame each
   };
 
-  bool can_afford(const Rung& rung) const { return result_.search_work + rung.work <= result_.safe_work; }
+  bool can_afford(const Candidate& candidate) const {
+    return result_.search_work + candidate.work <= result_.safe_work;
+  }
 
-  Member run(const Rung& rung) {
-    result_.search_work += rung.work;
+  Member run(const Candidate& candidate) {
+    result_.search_work += candidate.work;
     Member member;
-    member.tried.rung = rung;
-    member.trajectory = integrate(with_rung(spec_, rung));
+    member.tried.candidate = candidate;
+    member.trajectory = integrate(with_candidate(spec_, candidate));
     member.tried.outcome = member.trajectory.outcome;
     member.tried.message = member.trajectory.message;
     member.tried.seconds = member.trajectory.solve_seconds;
@@ -100,12 +102,12 @@ class Search {
     for (int elements = coarsest; elements <= finest; elements *= 2) {
       bool done = false;
       for (const double share : {1.0, 0.5, 0.25}) {
-        const Rung rung = cable_rung(spec_, elements, share);
-        if (!can_afford(rung)) {
+        const Candidate candidate = cable_candidate(spec_, elements, share);
+        if (!can_afford(candidate)) {
           out_of_budget_ = !held;
           return;
         }
-        spine_.push_back(run(rung));
+        spine_.push_back(run(candidate));
         done = completed(spine_.back());
         if (done) break;
       }
@@ -130,7 +132,7 @@ class Search {
     own_.resize(coarser.size());
     for (std::size_t k = 0; k < own_.size(); ++k) own_[k] = own_error(coarsest_of_three[k], coarser[k]).error;
     own_ = so_far(std::move(own_));
-    result_.finest = in_words(finest_->tried.rung);
+    result_.finest = in_words(finest_->tried.candidate);
     result_.finest_error = last(own_);
     result_.observed_ratio = own_error(last(coarsest_of_three), last(coarser)).ratio;
     bool any = false;
@@ -155,14 +157,15 @@ class Search {
     member.tried.certain_until = until;
   }
 
-  bool holds(const TriedRung& tried) const {
+  bool holds(const TriedCandidate& tried) const {
     return tried.outcome == Outcome::completed && tried.estimate >= 0 &&
            economy_safety * tried.estimate <= result_.tolerance;
   }
 
-  bool is_known(const Rung& rung) const {
+  bool is_known(const Candidate& candidate) const {
     const auto same = [&](const Member& member) {
-      return member.tried.rung.cable == rung.cable && member.tried.rung.method == rung.method;
+      return member.tried.candidate.cable == candidate.cable &&
+             member.tried.candidate.method == candidate.method;
     };
     return std::any_of(spine_.begin(), spine_.end(), same) ||
            std::any_of(climbed_.begin(), climbed_.end(), same);
@@ -176,13 +179,13 @@ class Search {
            cable.second_moment == spec_.cable.second_moment;
   }
 
-  /// The tried rungs that are like one, in the order in which they were tried.
+  /// The tried candidates that are like one, in the order in which they were tried.
   template <class Alike>
-  std::vector<const TriedRung*> tried_like(const Alike& alike) const {
-    std::vector<const TriedRung*> found;
+  std::vector<const TriedCandidate*> tried_like(const Alike& alike) const {
+    std::vector<const TriedCandidate*> found;
     for (const std::deque<Member>* members : {&spine_, &climbed_})
       for (const Member& member : *members)
-        if (alike(member.tried.rung)) found.push_back(&member.tried);
+        if (alike(member.tried.candidate)) found.push_back(&member.tried);
     return found;
   }
 
@@ -190,18 +193,18 @@ class Search {
   double coarsest_holding() const {
     double elements = infinity;
     for (const Member& member : spine_)
-      if (holds(member.tried)) elements = std::min<double>(elements, member.tried.rung.cable.elements);
+      if (holds(member.tried)) elements = std::min<double>(elements, member.tried.candidate.cable.elements);
     return elements;
   }
 
   /// What need not be run, as what was run tells: meshes coarser than one that failed, steps that failed on
   /// another mesh or that are not what the error is from, and models that do not get better with their mesh.
-  bool is_hopeless(const Rung& rung) const {
+  bool is_hopeless(const Candidate& candidate) const {
     constexpr double gain = 0.7;  // of the estimate, that is still a gain
-    const CableSpec& cable = rung.cable;
+    const CableSpec& cable = candidate.cable;
     if (cable.model == CableModel::rigid) return false;
     if (cable.model == CableModel::chain || cable.second_moment != spec_.cable.second_moment) {
-      const auto alike = tried_like([&](const Rung& other) {
+      const auto alike = tried_like([&](const Candidate& other) {
         return other.cable.model == cable.model && other.cable.second_moment == cable.second_moment;
       });
       if (alike.size() < 3) return false;
@@ -212,12 +215,12 @@ class Search {
     if (!is_full(cable)) return 4 * cable.elements < needed;
     // Half of the mesh that is needed has failed; with a shorter step it may do.
     if (2 * cable.elements < needed) return true;
-    if (2 * cable.elements == needed && !is_leapfrog(rung)) return true;
-    if (!is_leapfrog(rung)) return !has_promise(*rung.method.step, rung.method.name);
+    if (2 * cable.elements == needed && !is_leapfrog(candidate)) return true;
+    if (!is_leapfrog(candidate)) return !has_promise(*candidate.method.step, candidate.method.name);
     // A shorter step than stability asks for.
-    const auto longer = tried_like([&](const Rung& other) {
-      return other.cable == cable && other.method.name == rung.method.name &&
-             *other.method.step > *rung.method.step;
+    const auto longer = tried_like([&](const Candidate& other) {
+      return other.cable == cable && other.method.name == candidate.method.name &&
+             *other.method.step > *candidate.method.step;
     });
     return longer.size() >= 2 && longer.back()->estimate > gain * longer[longer.size() - 2]->estimate;
   }
@@ -225,14 +228,15 @@ class Search {
   /// False where this step, or a shorter one, was tried on any mesh and was off by more than a finer mesh
   /// could mend.
   bool has_promise(double step, const std::string& method) const {
-    for (const TriedRung* tried : tried_like(
-             [&](const Rung& other) { return other.method.name == method && *other.method.step <= step; }))
+    for (const TriedCandidate* tried : tried_like([&](const Candidate& other) {
+           return other.method.name == method && *other.method.step <= step;
+         }))
       if (tried->outcome != Outcome::completed || tried->estimate > 2 * greatest_estimate()) return false;
     return true;
   }
 
-  void try_rung(const Rung& rung) {
-    Member member = run(rung);
+  void try_candidate(const Candidate& candidate) {
+    Member member = run(candidate);
     if (completed(member)) member.distances = so_far(gauge_(member.trajectory));
     estimate(member);
     climbed_.push_back(std::move(member));
@@ -241,25 +245,25 @@ class Search {
   /// The mesh that the case names, so that it can be said how far off that is.
   void try_own_mesh() {
     if (finest_ == nullptr || spec_.cable.model != CableModel::cable) return;
-    const Rung own = cable_rung(spec_, spec_.cable.elements);
-    if (!is_known(own) && own.work < finest_->tried.rung.work && can_afford(own)) try_rung(own);
+    const Candidate own = cable_candidate(spec_, spec_.cable.elements);
+    if (!is_known(own) && own.work < finest_->tried.candidate.work && can_afford(own)) try_candidate(own);
   }
 
-  /// From the cheapest rung to the first that holds.
+  /// From the cheapest candidate to the first that holds.
   void climb() {
     if (finest_ == nullptr) return;
     double limit = infinity;
     for (const Member& member : spine_)
-      if (holds(member.tried)) limit = std::min(limit, member.tried.rung.work);
+      if (holds(member.tried)) limit = std::min(limit, member.tried.candidate.work);
     // Without one that holds there is still the rod, and what a chain is good for.
-    if (limit == infinity) limit = finest_->tried.rung.work;
-    for (const Rung& rung : ladder(spec_, limit)) {
-      if (is_known(rung) || is_hopeless(rung)) continue;
-      if (!can_afford(rung)) {
+    if (limit == infinity) limit = finest_->tried.candidate.work;
+    for (const Candidate& candidate : all_candidates(spec_, limit)) {
+      if (is_known(candidate) || is_hopeless(candidate)) continue;
+      if (!can_afford(candidate)) {
         out_of_budget_ = true;
         return;
       }
-      try_rung(rung);
+      try_candidate(candidate);
       if (holds(climbed_.back().tried)) return;
     }
   }
@@ -270,7 +274,7 @@ class Search {
     for (std::deque<Member>* members : {&spine_, &climbed_})
       for (Member& member : *members) all.push_back(&member);
     std::stable_sort(all.begin(), all.end(), [](const Member* a, const Member* b) {
-      return a->tried.rung.work < b->tried.rung.work;
+      return a->tried.candidate.work < b->tried.candidate.work;
     });
     const auto found = std::find_if(all.begin(), all.end(), [&](const Member* m) { return holds(m->tried); });
     result_.holds = found != all.end();
@@ -286,9 +290,9 @@ class Search {
     say_what_is_uncertain();
   }
 
-  /// How much of the chosen rung's error its step is guilty of: that of half the step, by order 2.
+  /// How much of the chosen candidate's error its step is guilty of: that of half the step, by order 2.
   void share_out(const Member& chosen) {
-    Rung half = chosen.tried.rung;
+    Candidate half = chosen.tried.candidate;
     if (!is_leapfrog(half)) return;
     *half.method.step /= 2;
     half.work *= 2;
@@ -300,7 +304,7 @@ class Search {
   }
 
   std::string why(const Member& member, bool chosen) const {
-    const TriedRung& tried = member.tried;
+    const TriedCandidate& tried = member.tried;
     if (tried.outcome != Outcome::completed) return fmt::format("left: {}", word(tried.outcome));
     if (tried.estimate < 0) return "left: too coarse to tell its error";
     const std::string times = fmt::format("{:g} × {:.3g} px", economy_safety, tried.estimate);
@@ -311,8 +315,8 @@ class Search {
   }
 
   void choose_safe() {
-    TriedRung safe;
-    safe.rung = safe_rung(spec_);
+    TriedCandidate safe;
+    safe.candidate = safe_candidate(spec_);
     safe.why = out_of_budget_ ? "taken unproven: the search would cost more than this run"
                               : "taken unproven: no three meshes of the full model came to their end";
     result_.chosen = static_cast<int>(result_.tried.size());
@@ -331,14 +335,14 @@ class Search {
       result_.uncertain = where + ": no three meshes of the full model came to their end";
     else
       result_.uncertain = fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it",
-                                      where, result_.tolerance, finest_->tried.rung.cable.elements);
+                                      where, result_.tolerance, finest_->tried.candidate.cable.elements);
     constexpr double falling = 2;  // errors that fall so from mesh to mesh would be small on a finer one
     if (finest_ == nullptr || result_.observed_ratio >= falling) return;
     // Neighbours that part tell whether any mesh could.
     constexpr int elements = 8;
     const double apart = 0.01 * spec_.cable.length;
-    const Separation parted =
-        separation(with_rung(spec_, cable_rung(spec_, elements)), 0, apart, start_distance, 5);
+    const TrajectoryDivergence parted =
+        divergence(with_candidate(spec_, cable_candidate(spec_, elements)), 0, apart, start_distance, 5);
     if (!parted.times.empty() && !parted.beyond_end)
       result_.uncertain +=
           fmt::format("; the motion is beyond its predictability horizon: {}", parted.in_words);
@@ -348,7 +352,7 @@ class Search {
   const MakeGauge& make_gauge_;
   Economy result_;
   std::deque<Member> spine_;    // the full model, mesh by mesh
-  std::deque<Member> climbed_;  // the rungs below
+  std::deque<Member> climbed_;  // the candidates below
   Member* finest_ = nullptr;
   PictureErrors gauge_;
   std::vector<double> own_;  // error of the finest, so far, a frame each
@@ -357,7 +361,7 @@ class Search {
 
 }  // namespace
 
-Economy choose_rung(const Case& spec, const MakeGauge& make_gauge) {
+Economy choose_candidate(const Case& spec, const MakeGauge& make_gauge) {
   if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic)
     throw InputError(
         fmt::format("method.name = \"{}\": nothing moves, so that there is no scene to compute "

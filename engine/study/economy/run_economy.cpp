@@ -34,18 +34,19 @@ double greatest(const std::vector<double>& values) {
 
 Trajectory by_explicit(const Case& spec, int elements) {
   constexpr double phase = 1.2;  // ωh of the fastest vibration: half of what it is stable up to
-  Rung rung = cable_rung(spec, elements);
-  rung.method = plain_method(accurate_explicit());
-  rung.method.step = std::min(phase / straight_frequency(rung.cable), scene_output_interval(spec) / 4);
-  return integrate(with_rung(spec, rung));
+  Candidate candidate = cable_candidate(spec, elements);
+  candidate.method = plain_method(accurate_explicit());
+  candidate.method.step =
+      std::min(phase / straight_frequency(candidate.cable), scene_output_interval(spec) / 4);
+  return integrate(with_candidate(spec, candidate));
 }
 
 Trajectory by_implicit(const Case& spec, int elements) {
   constexpr double parts = 40;  // of an interval between frames
-  Rung rung = cable_rung(spec, elements);
-  rung.method = plain_method(accurate_implicit());
-  rung.method.step = scene_output_interval(spec) / parts;
-  return integrate(with_rung(spec, rung));
+  Candidate candidate = cable_candidate(spec, elements);
+  candidate.method = plain_method(accurate_implicit());
+  candidate.method.step = scene_output_interval(spec) / parts;
+  return integrate(with_candidate(spec, candidate));
 }
 
 Truth truth_of(const Case& spec, int elements, bool two_methods) {
@@ -71,16 +72,17 @@ double doubt_of(const Truth& truth, const PictureErrors& errors) {
 
 /// The elements of a reference for what was chosen.
 int reference_elements(const EconomySpec& spec, const Economy& economy) {
-  const TriedRung* choice = economy.choice();
+  const TriedCandidate* choice = economy.choice();
   const int chosen =
-      choice && choice->rung.cable.model == CableModel::cable ? choice->rung.cable.elements : 0;
+      choice && choice->candidate.cable.model == CableModel::cable ? choice->candidate.cable.elements : 0;
   return std::max(spec.reference_elements, 2 * chosen);
 }
 
-double least_seconds(const Case& spec, const Rung& rung) {
+double least_seconds(const Case& spec, const Candidate& candidate) {
   constexpr int repeats = 3;
   double least = INFINITY;
-  for (int k = 0; k < repeats; ++k) least = std::min(least, integrate(with_rung(spec, rung)).solve_seconds);
+  for (int k = 0; k < repeats; ++k)
+    least = std::min(least, integrate(with_candidate(spec, candidate)).solve_seconds);
   return least;
 }
 
@@ -88,7 +90,7 @@ SceneNeed need_of(const std::string& name, const Case& spec, const GaugeOfCase& 
   SceneNeed need;
   need.name = name;
   need.scene = spec.scene;
-  need.economy = choose_rung(spec, gauge_of(spec));
+  need.economy = choose_candidate(spec, gauge_of(spec));
   return need;
 }
 
@@ -97,10 +99,11 @@ void prove(const Case& spec, const Truth& truth, const GaugeOfCase& gauge_of, Sc
   const PictureErrors errors = gauge_of(spec)(truth.motion);
   need.reference_doubt = doubt_of(truth, errors);
   need.certified = need.reference_doubt <= certain_share * need.economy.tolerance;
-  for (TriedRung& tried : need.economy.tried)
+  for (TriedCandidate& tried : need.economy.tried)
     if (tried.outcome == Outcome::completed)
-      tried.true_error = greatest(errors(integrate(with_rung(spec, tried.rung))));
-  if (const TriedRung* choice = need.economy.choice()) need.seconds = least_seconds(spec, choice->rung);
+      tried.true_error = greatest(errors(integrate(with_candidate(spec, tried.candidate))));
+  if (const TriedCandidate* choice = need.economy.choice())
+    need.seconds = least_seconds(spec, choice->candidate);
 }
 
 std::vector<std::pair<std::string, Case>> pictures_of(const Case& file_case, const EconomySpec& study) {
@@ -123,7 +126,7 @@ std::vector<std::pair<std::string, Case>> pictures_of(const Case& file_case, con
 /// The one safe run that every picture could be drawn from: how long it took and how far it came, s.
 std::array<double, 2> safe_run(const Case& spec) {
   constexpr double time_limit = 120;
-  const Trajectory safe = integrate(with_rung(spec, safe_rung(spec)), {}, time_limit);
+  const Trajectory safe = integrate(with_candidate(spec, safe_candidate(spec)), {}, time_limit);
   return {safe.solve_seconds, safe.end_time};
 }
 
@@ -132,7 +135,7 @@ CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
   return source;
 }
 
-bool has_both(const TriedRung& tried) {
+bool has_both(const TriedCandidate& tried) {
   return tried.estimate > 0 && std::isfinite(tried.estimate) && tried.true_error >= 0;
 }
 
@@ -140,12 +143,12 @@ bool has_both(const TriedRung& tried) {
 
 double SceneNeed::worst_ratio() const {
   double worst = 0;
-  for (const TriedRung& tried : economy.tried)
+  for (const TriedCandidate& tried : economy.tried)
     if (has_both(tried)) worst = std::max(worst, (tried.true_error - reference_doubt) / tried.estimate);
   return worst;
 }
 
-long SceneNeed::proven_rungs() const {
+long SceneNeed::proven_candidates() const {
   if (!(reference_doubt >= 0) || !std::isfinite(reference_doubt)) return 0;
   return std::count_if(economy.tried.begin(), economy.tried.end(), has_both);
 }
@@ -160,9 +163,9 @@ RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& study,
   scene.number = number;
   scene.overrides = scene_overrides(loaded.spec, study.seed, number);
   const Case spec = load_case(with(loaded.source, scene.overrides)).spec;
-  const Economy economy = choose_rung(spec, gauge_of(spec));
-  const TriedRung& choice = *economy.choice();
-  scene.chosen = in_words(choice.rung);
+  const Economy economy = choose_candidate(spec, gauge_of(spec));
+  const TriedCandidate& choice = *economy.choice();
+  scene.chosen = in_words(choice.candidate);
   scene.tolerance = economy.tolerance;
   scene.holds = economy.holds;
   scene.estimate = choice.estimate;
@@ -175,7 +178,7 @@ RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& study,
   const Truth truth = truth_of(spec, reference_elements(coarser, economy), false);
   const PictureErrors errors = gauge_of(spec)(truth.motion);
   scene.reference_doubt = doubt_of(truth, errors);
-  scene.true_error = greatest(errors(integrate(with_rung(spec, choice.rung))));
+  scene.true_error = greatest(errors(integrate(with_candidate(spec, choice.candidate))));
   return scene;
 }
 

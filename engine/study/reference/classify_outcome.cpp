@@ -6,7 +6,8 @@
 
 namespace plumb {
 
-Judgement judge(const Trajectory& run, const Trajectory& reference, double tolerance, double horizon) {
+Judgement classify_outcome(const Trajectory& run, const Trajectory& reference, double tolerance,
+                           double horizon) {
   Judgement result;
   result.outcome = run.outcome;
   if (run.outcome != Outcome::completed) return result;

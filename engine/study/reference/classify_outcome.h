@@ -18,9 +18,10 @@ struct Judgement {
 /// also held to the energy: one that changes by more than `energy_share` of the first kinetic energy is
 /// inaccurate. What is not a number is inaccurate; a completed run that cannot be held against the reference
 /// stays completed, with an error of -1.
-Judgement judge(const Trajectory& run, const Trajectory& reference, double tolerance, double horizon);
+Judgement classify_outcome(const Trajectory& run, const Trajectory& reference, double tolerance,
+                           double horizon);
 
-/// For judge(), beyond the horizon.
+/// For classify_outcome(), beyond the horizon.
 inline constexpr double energy_share = 0.01;
 
 }  // namespace plumb

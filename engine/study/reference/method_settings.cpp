@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-MethodSpec MethodVariant::with(double setting) const {
+MethodSpec MethodSetting::with(double setting) const {
   MethodSpec result = method;
   if (by_step)
     result.step = setting;
@@ -13,7 +13,7 @@ MethodSpec MethodVariant::with(double setting) const {
   return result;
 }
 
-std::vector<MethodVariant> method_variants(const std::vector<std::string>& methods) {
+std::vector<MethodSetting> method_variants(const std::vector<std::string>& methods) {
   // Any range serves, as only the curves' methods are asked for.
   WorkPrecisionSpec any;
   any.largest_step = any.loosest_tolerance = 1e-1;
@@ -21,9 +21,9 @@ std::vector<MethodVariant> method_variants(const std::vector<std::string>& metho
   StudyExtent extent;
   extent.methods = methods;
   extent.points = 3;
-  std::vector<MethodVariant> variants;
+  std::vector<MethodSetting> variants;
   for (const CurvePlan& plan : study_curves(any, extent, 1, false)) {
-    MethodVariant& variant = variants.emplace_back();
+    MethodSetting& variant = variants.emplace_back();
     variant.label = plan.label;
     variant.info = plan.method;
     variant.method = plan.points.front();

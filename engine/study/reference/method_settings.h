@@ -9,7 +9,7 @@
 namespace plumb {
 
 /// A method with its parameters, to be run over steps or over tolerances.
-struct MethodVariant {
+struct MethodSetting {
   std::string label;  ///< "generalized-alpha, ρ∞ = 0.5"
   const MethodInfo* info = nullptr;
   MethodSpec method;    ///< without step and tolerances
@@ -19,6 +19,6 @@ struct MethodVariant {
 };
 
 /// The variants of these methods that a work-precision study draws, in its order and with its labels.
-std::vector<MethodVariant> method_variants(const std::vector<std::string>& methods);
+std::vector<MethodSetting> method_variants(const std::vector<std::string>& methods);
 
 }  // namespace plumb

@@ -41,7 +41,7 @@ double trusted_until(const Case& spec, const StudyReference& reference, double t
 }  // namespace
 
 double ReferenceMotion::horizon() const {
-  return std::min(separation.beyond_end || separation.horizon < 0 ? summary.duration : separation.horizon,
+  return std::min(divergence.beyond_end || divergence.horizon < 0 ? summary.duration : divergence.horizon,
                   summary.trusted_until);
 }
 
@@ -71,7 +71,7 @@ ReferenceMotion reference_motion(const Case& spec, double parameter, double tole
       std::max(summary.frequency_at_start, greatest_frequency(cable, reference.trajectory.q));
   if (!reference.trajectory.times.empty()) motion.method = reference.method;
   motion.trajectory = std::move(reference.trajectory);
-  motion.separation = separation(spec, parameter, tolerance, start_distance, time_limit);
+  motion.divergence = divergence(spec, parameter, tolerance, start_distance, time_limit);
   return motion;
 }
 

@@ -25,7 +25,7 @@ struct ReferenceMotion {
   Trajectory trajectory;
   MethodSpec method;  ///< that gave the trajectory; without a name where none did
   StabilityReference summary;
-  Separation separation;
+  TrajectoryDivergence divergence;
 
   /// The time up to which a run may be held against the motion, s: neighbours stay together and the reference
   /// is known.

@@ -112,7 +112,7 @@ class Neighbours {
   Trajectory motion_;
 };
 
-std::string in_words(const Separation& s, double tolerance, double apart) {
+std::string in_words(const TrajectoryDivergence& s, double tolerance, double apart) {
   if (s.times.empty()) return "the motion could not be followed";
   const double end = s.times.back();
   if (s.beyond_end)
@@ -136,8 +136,9 @@ std::string in_words(const Separation& s, double tolerance, double apart) {
 
 }  // namespace
 
-Separation separation(const Case& spec, double parameter, double tolerance, double apart, double time_limit) {
-  Separation result;
+TrajectoryDivergence divergence(const Case& spec, double parameter, double tolerance, double apart,
+                                double time_limit) {
+  TrajectoryDivergence result;
   result.parameter = parameter;
   result.elements = spec.cable.elements;
   const Neighbours neighbours(spec, time_limit);

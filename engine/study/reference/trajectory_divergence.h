@@ -5,7 +5,7 @@
 namespace plumb {
 
 /// How fast neighbouring motions part.
-struct Separation {
+struct TrajectoryDivergence {
   double parameter = 0;
   int elements = 0;
   std::vector<double> times;      ///< s
@@ -24,7 +24,7 @@ inline constexpr double start_distance = 1e-10;
 /// 8, and finds when they are further apart than `tolerance` (m), and the largest Lyapunov exponent by
 /// Benettin's renormalisation (Benettin et al. 1980). A motion that fails or takes longer than `time_limit`
 /// (s) is followed as far as it goes; without any, times are empty and the horizon is -1.
-Separation separation(const Case& spec, double parameter, double tolerance, double apart = start_distance,
-                      double time_limit = no_time_limit);
+TrajectoryDivergence divergence(const Case& spec, double parameter, double tolerance,
+                                double apart = start_distance, double time_limit = no_time_limit);
 
 }  // namespace plumb

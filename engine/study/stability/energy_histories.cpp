@@ -8,7 +8,7 @@
 namespace plumb {
 namespace {
 
-EnergyHistory history_of(const MethodVariant& variant, const Case& of, double parameter, double step,
+EnergyHistory history_of(const MethodSetting& variant, const Case& of, double parameter, double step,
                          double time_limit) {
   Case spec = of;
   spec.method = variant.with(step);
@@ -29,16 +29,16 @@ EnergyHistory history_of(const MethodVariant& variant, const Case& of, double pa
 
 }  // namespace
 
-std::vector<EnergyHistory> energy_histories(const std::vector<MethodVariant>& variants,
+std::vector<EnergyHistory> energy_histories(const std::vector<MethodSetting>& variants,
                                             const std::vector<Case>& cases,
                                             const std::vector<double>& parameters, double step,
                                             double time_limit, Runner& runner) {
-  std::vector<const MethodVariant*> chosen;
-  for (const MethodVariant& variant : variants)
+  std::vector<const MethodSetting*> chosen;
+  for (const MethodSetting& variant : variants)
     if (variant.by_step && variant.info->family == MethodFamily::structural) chosen.push_back(&variant);
   std::vector<StudyPoint<EnergyHistory>> points;
   for (std::size_t c = 0; c < cases.size(); ++c)
-    for (const MethodVariant* variant : chosen)
+    for (const MethodSetting* variant : chosen)
       points.push_back({fmt::format("{}, parameter {}", variant->label, parameters[c]), [&, variant, c] {
                           return history_of(*variant, cases[c], parameters[c], step, time_limit);
                         }});

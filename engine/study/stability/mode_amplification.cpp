@@ -51,7 +51,7 @@ std::vector<double> settled(const std::vector<double>& series) {
   return {series.begin() + static_cast<std::ptrdiff_t>(series.size() / 2), series.end()};
 }
 
-ModeAmplification measure(const MethodVariant& variant, const Mode& mode, int steps_a_period) {
+ModeAmplification measure(const MethodSetting& variant, const Mode& mode, int steps_a_period) {
   const double step = 2 * std::numbers::pi / (mode.vibration.frequency * steps_a_period);
   MethodSpec method = variant.with(step);
   // Its smallest: the vibration is small itself.
@@ -104,12 +104,12 @@ double growth_a_step(const std::vector<double>& series) {
   return std::max(std::abs(fit[0] / 2 + root), std::abs(fit[0] / 2 - root));
 }
 
-std::vector<ModeAmplification> mode_amplifications(const std::vector<MethodVariant>& variants,
+std::vector<ModeAmplification> mode_amplifications(const std::vector<MethodSetting>& variants,
                                                    const Case& spec, const std::vector<int>& steps_a_period) {
   const Mode mode = fastest_mode(spec);
   if (!(mode.vibration.frequency > 0)) return {};
-  std::vector<std::pair<const MethodVariant*, int>> chosen;
-  for (const MethodVariant& variant : variants)
+  std::vector<std::pair<const MethodSetting*, int>> chosen;
+  for (const MethodSetting& variant : variants)
     if (variant.by_step && amplification(variant.with(1), 1))
       for (const int steps : steps_a_period) chosen.emplace_back(&variant, steps);
   std::vector<ModeAmplification> results(chosen.size());

@@ -11,7 +11,7 @@ namespace plumb {
 /// amplification(). The cable starts in the shape of its fastest vibration, a strain of some 1e-7, so that
 /// nothing else moves and nothing but the method changes the amplitude; the step is the period over each of
 /// `steps_a_period`. A variant that has no prediction is left out; a run that did not last is measured at -1.
-std::vector<ModeAmplification> mode_amplifications(const std::vector<MethodVariant>& variants,
+std::vector<ModeAmplification> mode_amplifications(const std::vector<MethodSetting>& variants,
                                                    const Case& spec, const std::vector<int>& steps_a_period);
 
 /// The modulus of the greatest root of the recurrence x[k+1] = a x[k] + b x[k−1] that fits a series best by

@@ -65,17 +65,17 @@ void take_statistics(const Case& spec, const Trajectory& run, MotionStatistics& 
 }
 
 std::vector<MotionStatistics> motion_statistics(const std::vector<const ReferenceMotion*>& motions,
-                                                const std::vector<MethodVariant>& variants, double step,
+                                                const std::vector<MethodSetting>& variants, double step,
                                                 double time_limit) {
   std::vector<std::function<MotionStatistics()>> tasks;
   for (const ReferenceMotion* motion : motions) {
-    if (motion->separation.beyond_end || motion->separation.horizon < 0) continue;
+    if (motion->divergence.beyond_end || motion->divergence.horizon < 0) continue;
     tasks.emplace_back([=] { return statistics_of(*motion, "reference", 0, motion->trajectory); });
     tasks.emplace_back([=] {
       return statistics_of(*motion, fmt::format("neighbour, {:g} m off at the start", start_distance), 0,
                            neighbour(*motion, time_limit));
     });
-    for (const MethodVariant& variant : variants)
+    for (const MethodSetting& variant : variants)
       if (variant.by_step && variant.info->family == MethodFamily::structural)
         tasks.emplace_back([=, &variant] {
           Case spec = motion->spec;

@@ -16,7 +16,7 @@ void take_statistics(const Case& spec, const Trajectory& run, MotionStatistics& 
 /// reference, of a start a node of which is `start_distance` off, and of the structural schemes among
 /// `variants` with one step (s). Motions whose horizon is not reached have none.
 std::vector<MotionStatistics> motion_statistics(const std::vector<const ReferenceMotion*>& motions,
-                                                const std::vector<MethodVariant>& variants, double step,
+                                                const std::vector<MethodSetting>& variants, double step,
                                                 double time_limit);
 
 }  // namespace plumb

@@ -20,7 +20,7 @@ namespace {
 
 /// One integration and the points that it gives, one each time at which it is looked at.
 struct Run {
-  const MethodVariant* variant;
+  const MethodSetting* variant;
   const ReferenceMotion* motion;
   double setting;
   std::vector<double> ends;  ///< s, rising
@@ -29,7 +29,8 @@ struct Run {
 
 StabilityPoint point_of(const Trajectory& run, const ReferenceMotion& motion, double end, double tolerance) {
   const Trajectory part = until(run, end);
-  const Judgement judgement = judge(part, until(motion.trajectory, end), tolerance, motion.horizon());
+  const Judgement judgement =
+      classify_outcome(part, until(motion.trajectory, end), tolerance, motion.horizon());
   StabilityPoint point;
   point.outcome = judgement.outcome;
   point.message = part.message;
@@ -62,7 +63,7 @@ double work(const Run& run) {
 
 class Maps {
  public:
-  Maps(const StabilitySpec& what, double end, const std::vector<MethodVariant>& variants,
+  Maps(const StabilitySpec& what, double end, const std::vector<MethodSetting>& variants,
        const StabilityMotions& motions)
       : what_(what), end_(end), variants_(variants), motions_(motions) {
     ends_of_base_ = what.durations;
@@ -72,7 +73,7 @@ class Maps {
   }
 
   void plan() {
-    for (const MethodVariant& variant : variants_)
+    for (const MethodSetting& variant : variants_)
       for (const double setting : settings(variant)) {
         add(variant, motions_.base, setting, ends_of_base_);
         for (const ReferenceMotion& motion : motions_.parameters) add(variant, motion, setting, {end_});
@@ -97,8 +98,8 @@ class Maps {
     std::vector<const ReferenceMotion*> motions{&motions_.base};
     for (const ReferenceMotion& motion : motions_.parameters) motions.push_back(&motion);
     for (const ReferenceMotion& motion : motions_.elements) motions.push_back(&motion);
-    std::vector<std::pair<const MethodVariant*, const ReferenceMotion*>> asked;
-    for (const MethodVariant& variant : variants_) {
+    std::vector<std::pair<const MethodSetting*, const ReferenceMotion*>> asked;
+    for (const MethodSetting& variant : variants_) {
       const LimitKind kind = variant.by_step ? limit_kind(variant.with(1)) : LimitKind::none;
       if (kind != LimitKind::vibration && kind != LimitKind::contraction) continue;
       for (const ReferenceMotion* motion : motions) asked.emplace_back(&variant, motion);
@@ -116,7 +117,7 @@ class Maps {
 
   std::vector<OutcomeMap> collect() const {
     std::vector<OutcomeMap> maps;
-    for (const MethodVariant& variant : variants_) {
+    for (const MethodSetting& variant : variants_) {
       if (!what_.parameter_values.empty())
         maps.push_back(map_over(variant, MapAxis::parameter, what_.parameter_values));
       maps.push_back(map_over(variant, MapAxis::elements, {what_.elements.begin(), what_.elements.end()}));
@@ -126,14 +127,14 @@ class Maps {
   }
 
  private:
-  using Key = std::tuple<const MethodVariant*, const ReferenceMotion*, double>;
+  using Key = std::tuple<const MethodSetting*, const ReferenceMotion*, double>;
 
-  std::vector<double> settings(const MethodVariant& variant) const {
+  std::vector<double> settings(const MethodSetting& variant) const {
     return variant.by_step ? equal_ratios(what_.smallest_step, what_.largest_step, what_.steps)
                            : equal_ratios(what_.tightest_tolerance, what_.loosest_tolerance, what_.steps);
   }
 
-  void add(const MethodVariant& variant, const ReferenceMotion& motion, double setting,
+  void add(const MethodSetting& variant, const ReferenceMotion& motion, double setting,
            const std::vector<double>& ends) {
     runs_.push_back({&variant, &motion, setting, ends, {}});
   }
@@ -144,7 +145,7 @@ class Maps {
     return motions_.base;
   }
 
-  OutcomeMap map_over(const MethodVariant& variant, MapAxis axis, const std::vector<double>& values) const {
+  OutcomeMap map_over(const MethodSetting& variant, MapAxis axis, const std::vector<double>& values) const {
     OutcomeMap map;
     map.label = variant.label;
     map.method = variant.method;
@@ -181,12 +182,12 @@ class Maps {
 
   const StabilitySpec& what_;
   double end_;
-  const std::vector<MethodVariant>& variants_;
+  const std::vector<MethodSetting>& variants_;
   const StabilityMotions& motions_;
   std::vector<double> ends_of_base_;
   std::vector<Run> runs_;
   std::map<Key, const Run*> by_key_;
-  std::map<std::pair<const MethodVariant*, const ReferenceMotion*>, PredictedLimit> limits_;
+  std::map<std::pair<const MethodSetting*, const ReferenceMotion*>, PredictedLimit> limits_;
 };
 
 }  // namespace
@@ -211,7 +212,7 @@ const ReferenceMotion& StabilityMotions::on_mesh(int count) const {
 }
 
 std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
-                                     const std::vector<MethodVariant>& variants,
+                                     const std::vector<MethodSetting>& variants,
                                      const StabilityMotions& motions, Runner& runner) {
   Maps maps(what, end, variants, motions);
   maps.plan();

@@ -25,7 +25,7 @@ struct StabilityMotions {
 /// over the processors, and judges each run by its reference. A run to the longest duration serves for the
 /// shorter ones.
 std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
-                                     const std::vector<MethodVariant>& variants,
+                                     const std::vector<MethodSetting>& variants,
                                      const StabilityMotions& motions, Runner& runner);
 
 /// `count` values of equal ratio, rising from `least` to `greatest`.

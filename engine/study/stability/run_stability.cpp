@@ -48,7 +48,7 @@ class StabilityStudy {
                           }});
     for (const ReferenceMotion* motion : all_motions()) {
       study.references.push_back(motion->summary);
-      study.separations.push_back(motion->separation);
+      study.divergences.push_back(motion->divergence);
     }
     study.statistics = runner_.once<std::vector<MotionStatistics>>(
         "statistics",
@@ -136,12 +136,12 @@ class StabilityStudy {
 
   std::vector<CriticalStep> critical_steps() const {
     struct Task {
-      const MethodVariant* variant;
+      const MethodSetting* variant;
       const ReferenceMotion* motion;
     };
-    const std::vector<MethodVariant> variants = method_variants(what_.limit_methods);
+    const std::vector<MethodSetting> variants = method_variants(what_.limit_methods);
     std::vector<Task> tasks;
-    for (const MethodVariant& variant : variants)
+    for (const MethodSetting& variant : variants)
       if (variant.by_step)
         for (const ReferenceMotion* motion : all_motions()) tasks.push_back({&variant, motion});
     std::vector<StudyPoint<CriticalStep>> points;
@@ -152,7 +152,7 @@ class StabilityStudy {
     return runner_.run("critical steps", points);
   }
 
-  CriticalStep critical_step_of(const MethodVariant& variant, const ReferenceMotion& motion) const {
+  CriticalStep critical_step_of(const MethodSetting& variant, const ReferenceMotion& motion) const {
     Case spec = motion.spec;
     spec.time.end = loaded_.spec.time.end;
     CriticalStep step = critical_step(spec, variant.method, long_limit());
@@ -190,7 +190,7 @@ class StabilityStudy {
   const LoadedCase& loaded_;
   Runner& runner_;
   StabilitySpec what_;
-  std::vector<MethodVariant> variants_;
+  std::vector<MethodSetting> variants_;
   StabilityMotions motions_;
 };
 

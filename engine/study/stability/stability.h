@@ -128,7 +128,7 @@ struct Stability {
   std::vector<CriticalStep> critical_steps;
   std::vector<EnergyHistory> energies;
   std::vector<ModeAmplification> amplifications;
-  std::vector<Separation> separations;
+  std::vector<TrajectoryDivergence> divergences;
   std::vector<StabilityReference> references;
   std::vector<MotionStatistics> statistics;  ///< of motions beyond their horizon
   Provenance provenance;

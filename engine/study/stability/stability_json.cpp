@@ -30,8 +30,8 @@ void check(const Stability& study) {
   for (const EnergyHistory& energy : study.energies)
     if (energy.times.size() != energy.change.size())
       throw std::runtime_error(fmt::format("the energies of {} are not whole", energy.label));
-  for (const Separation& separation : study.separations)
-    if (separation.times.size() != separation.distances.size())
+  for (const TrajectoryDivergence& divergence : study.divergences)
+    if (divergence.times.size() != divergence.distances.size())
       throw std::runtime_error("the distances of neighbours are not whole");
 }
 

@@ -72,7 +72,7 @@ void members(Archive& a, ModeAmplification& m) {
 }
 
 template <class Archive>
-void members(Archive& a, Separation& s) {
+void members(Archive& a, TrajectoryDivergence& s) {
   a("parameter", s.parameter);
   a("elements", s.elements);
   a("times", s.times);
@@ -117,7 +117,7 @@ void members(Archive& a, ReferenceMotion& m) {
   a("parameter", m.parameter);
   a("method", m.method);
   a("summary", m.summary);
-  a("separation", m.separation);
+  a("separation", m.divergence);
 }
 
 template <class Archive>
@@ -133,7 +133,7 @@ void members(Archive& a, Stability& s) {
   a("critical_steps", s.critical_steps);
   a("energies", s.energies);
   a("amplifications", s.amplifications);
-  a("separations", s.separations);
+  a("separations", s.divergences);
   a("statistics", s.statistics);
   a("references", s.references);
   a("provenance", s.provenance);

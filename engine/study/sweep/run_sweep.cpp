@@ -78,7 +78,7 @@ CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
 /// What cases of one model have in common.
 class Model {
  public:
-  Model(const LoadedCase& loaded, const SweepSpec& spec, long index, const Judge& judged_by)
+  Model(const LoadedCase& loaded, const SweepSpec& spec, long index, const OutcomeClassifier& judged_by)
       : file_(loaded),
         sweep_(spec),
         judged_by_(judged_by),
@@ -121,7 +121,7 @@ class Model {
 
   const LoadedCase& file_;
   const SweepSpec& sweep_;
-  const Judge& judged_by_;
+  const OutcomeClassifier& judged_by_;
   std::vector<std::string> overrides_;
   Case model_;
   References references_;
@@ -147,10 +147,10 @@ SweepSpec sweep_of(const Case& spec) {
 }
 
 SweepRun run_of_sweep(const LoadedCase& loaded, const SweepSpec& spec, long number) {
-  return Model(loaded, spec, number / runs_of_a_model, judge).run(number);
+  return Model(loaded, spec, number / runs_of_a_model, classify_outcome).run(number);
 }
 
-Sweep run_sweep(const LoadedCase& loaded, Runner& runner, const Judge& judged_by) {
+Sweep run_sweep(const LoadedCase& loaded, Runner& runner, const OutcomeClassifier& judged_by) {
   constexpr double patience = 20, least_silence = 60;
   constexpr long models_checked = 250;
   Sweep sweep;

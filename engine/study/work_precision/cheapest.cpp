@@ -11,7 +11,7 @@ std::string duration_in_words(double seconds) {
   return seconds >= 1e-3 ? fmt::format("{:.3g} ms", seconds * 1e3) : fmt::format("{:.3g} µs", seconds * 1e6);
 }
 
-std::vector<CheapestRun> cheapest_runs(const std::vector<StudyRun>& runs,
+std::vector<CheapestRun> cheapest_runs(const std::vector<WorkPrecisionRun>& runs,
                                        const std::vector<std::string>& labels,
                                        const std::vector<WorkError>& points, double floor, double ceiling) {
   std::vector<CheapestRun> result;

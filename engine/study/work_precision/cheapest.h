@@ -10,7 +10,7 @@ namespace plumb {
 /// For each power of ten below `ceiling` (m) that a run stays under, the run that does so in the least time:
 /// from the greatest down to the last one that is reached and not below `floor`. `labels` names the runs'
 /// curves.
-std::vector<CheapestRun> cheapest_runs(const std::vector<StudyRun>& runs,
+std::vector<CheapestRun> cheapest_runs(const std::vector<WorkPrecisionRun>& runs,
                                        const std::vector<std::string>& labels,
                                        const std::vector<WorkError>& points, double floor, double ceiling);
 

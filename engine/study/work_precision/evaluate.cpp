@@ -11,9 +11,9 @@
 namespace plumb {
 namespace {
 
-double smallest(const WorkPrecision& study, ErrorNorms StudyRun::*error, int elements = 0) {
+double smallest(const WorkPrecision& study, ErrorNorms WorkPrecisionRun::*error, int elements = 0) {
   double least = -1;
-  for (const StudyRun& run : study.runs) {
+  for (const WorkPrecisionRun& run : study.runs) {
     const double e = (run.*error).tip_max;
     if (run.completed() && e >= 0 && (elements == 0 || run.elements == elements) && (least < 0 || e < least))
       least = e;
@@ -27,10 +27,10 @@ double floor_of(const WorkPrecision& study, int elements) {
   return 0;
 }
 
-void fit_order(const WorkPrecision& study, StudyCurve& curve) {
+void fit_order(const WorkPrecision& study, MethodCurve& curve) {
   std::vector<StepError> points;
   for (const std::size_t k : curve.runs) {
-    const StudyRun& run = study.runs[k];
+    const WorkPrecisionRun& run = study.runs[k];
     const bool usable = run.completed() && run.counters.steps > 0;
     points.push_back({usable ? study.end / static_cast<double>(run.counters.steps) : 0,
                       usable ? run.time_error.tip_max : -1});
@@ -42,10 +42,10 @@ void fit_order(const WorkPrecision& study, StudyCurve& curve) {
 
 /// Cost and error of each run. An error below the floor counts as the floor, as it says no more than that; a
 /// run that is stable but wrong counts as none.
-std::vector<WorkError> work_errors(const WorkPrecision& study, ErrorNorms StudyRun::*error, double floor,
-                                   int elements = 0) {
+std::vector<WorkError> work_errors(const WorkPrecision& study, ErrorNorms WorkPrecisionRun::*error,
+                                   double floor, int elements = 0) {
   std::vector<WorkError> points;
-  for (const StudyRun& run : study.runs) {
+  for (const WorkPrecisionRun& run : study.runs) {
     const double e = (run.*error).tip_max;
     if (!run.completed() || e < 0 || e > wrong_beyond * study.length ||
         (elements != 0 && run.elements != elements))
@@ -60,7 +60,7 @@ void find_floors(WorkPrecision& study) {
   std::vector<CurveErrors> errors;
   std::vector<std::size_t> places;
   for (std::size_t c = 0; c < study.curves.size(); ++c) {
-    StudyCurve& curve = study.curves[c];
+    MethodCurve& curve = study.curves[c];
     curve.conspicuous = false;
     if (curve.elements != study.fixed_elements) continue;
     CurveErrors of_curve{curve.method, {}};
@@ -81,21 +81,23 @@ void find_floors(WorkPrecision& study) {
 
 void evaluate(WorkPrecision& study) {
   for (CertifiedReference& reference : study.mesh_references)
-    certify(reference, smallest(study, &StudyRun::time_error, reference.elements));
-  certify(study.converged_reference, smallest(study, &StudyRun::total_error), study.converged_mesh_error);
-  for (StudyCurve& curve : study.curves) fit_order(study, curve);
+    certify(reference, smallest(study, &WorkPrecisionRun::time_error, reference.elements));
+  certify(study.converged_reference, smallest(study, &WorkPrecisionRun::total_error),
+          study.converged_mesh_error);
+  for (MethodCurve& curve : study.curves) fit_order(study, curve);
   find_floors(study);
 
   std::vector<std::string> labels(study.runs.size());
-  for (const StudyCurve& curve : study.curves)
+  for (const MethodCurve& curve : study.curves)
     for (const std::size_t k : curve.runs) labels[k] = curve.label;
   const double ceiling = wrong_beyond * study.length;
   const double time_floor = floor_of(study, study.fixed_elements);
-  const auto time_points = work_errors(study, &StudyRun::time_error, time_floor, study.fixed_elements);
+  const auto time_points =
+      work_errors(study, &WorkPrecisionRun::time_error, time_floor, study.fixed_elements);
   study.time_front = pareto_front(time_points);
   study.time_cheapest = cheapest_runs(study.runs, labels, time_points, time_floor, ceiling);
   const double total_floor = study.converged_reference.floor;
-  const auto total_points = work_errors(study, &StudyRun::total_error, total_floor);
+  const auto total_points = work_errors(study, &WorkPrecisionRun::total_error, total_floor);
   study.total_front = pareto_front(total_points);
   study.total_cheapest = cheapest_runs(study.runs, labels, total_points, total_floor, ceiling);
 }

@@ -23,7 +23,7 @@ struct Mesh {
 
 /// The runs that were made of a curve, and why there are no more.
 struct CurveRuns {
-  std::vector<StudyRun> runs;
+  std::vector<WorkPrecisionRun> runs;
   std::string ending;
 };
 
@@ -126,11 +126,11 @@ class Computation {
                        encode(meshes_.back().reference).dump());
   }
 
-  StudyRun made_run(const MethodSpec& method, const Mesh& mesh) const {
+  WorkPrecisionRun made_run(const MethodSpec& method, const Mesh& mesh) const {
     Case spec = on_mesh(mesh.elements);
     spec.method = method;
     const Trajectory trajectory = integrate(spec, {}, extent_.time_limit);
-    StudyRun run;
+    WorkPrecisionRun run;
     run.method = method;
     run.elements = mesh.elements;
     run.outcome = trajectory.outcome;
@@ -145,20 +145,22 @@ class Computation {
     return run;
   }
 
-  StudyRun make_run(const MethodSpec& method, const Mesh& mesh) {
+  WorkPrecisionRun make_run(const MethodSpec& method, const Mesh& mesh) {
     // What was out of time may be in time where more is allowed.
-    return runner_.once<StudyRun>(
-        "runs", {key(method, mesh), [&] { return made_run(method, mesh); }}, [this](const StudyRun& known) {
-          return known.seconds.empty() || known.seconds.front() >= 0.9 * extent_.time_limit;
-        });
+    return runner_.once<WorkPrecisionRun>("runs", {key(method, mesh), [&] { return made_run(method, mesh); }},
+                                          [this](const WorkPrecisionRun& known) {
+                                            return known.seconds.empty() ||
+                                                   known.seconds.front() >= 0.9 * extent_.time_limit;
+                                          });
   }
 
   /// Why a curve should have no further run, or nothing. `next` is the run that would come.
-  std::string ending(const std::vector<StudyRun>& runs, const Mesh& mesh, const MethodSpec& next) const {
-    const StudyRun& last = runs.back();
+  std::string ending(const std::vector<WorkPrecisionRun>& runs, const Mesh& mesh,
+                     const MethodSpec& next) const {
+    const WorkPrecisionRun& last = runs.back();
     if (last.outcome == Outcome::out_of_time) return "a run was out of time, and finer ones take longer";
     if (!last.completed() || last.time_error.tip_max < 0 || runs.size() < 2) return {};
-    const StudyRun& before = runs[runs.size() - 2];
+    const WorkPrecisionRun& before = runs[runs.size() - 2];
     const double error = last.time_error.tip_max, floor = 10 * mesh.reference.certificate.agreement;
     if (error < floor) return "the floor of the reference is reached";
     if (!before.completed()) return {};
@@ -172,7 +174,7 @@ class Computation {
     if (expected < margin * floor && error < near * floor)
       return "the next run would be below the floor of the reference";
     constexpr double negligible = 0.02;
-    const auto mesh_alone = [&](const StudyRun& run) {
+    const auto mesh_alone = [&](const WorkPrecisionRun& run) {
       return run.time_error.tip_max <= negligible * run.total_error.tip_max;
     };
     if (mesh.elements != fixed_elements() && mesh_alone(last) && mesh_alone(before))
@@ -215,14 +217,14 @@ class Computation {
     study.length = spec_.cable.length;
     study.fastest_frequency = fastest_frequency_at_start(spec_);
     for (CurveTask& task : tasks_) {
-      StudyCurve& curve = study.curves.emplace_back();
+      MethodCurve& curve = study.curves.emplace_back();
       curve.label = task.plan->label;
       curve.method = task.plan->method->name;
       curve.family = task.plan->method->family;
       curve.elements = task.mesh->elements;
       curve.stated_order = task.plan->stated_order;
       curve.ending = task.made.ending;
-      for (StudyRun& run : task.made.runs) {
+      for (WorkPrecisionRun& run : task.made.runs) {
         curve.runs.push_back(study.runs.size());
         study.runs.push_back(std::move(run));
       }
@@ -264,7 +266,7 @@ class Computation {
 
   /// How often a run that takes this long is timed: short ones more often, as they are disturbed more easily;
   /// long ones less often. One that did not complete has no time that anything is read from.
-  int repeats(const StudyRun& run, double seconds) const {
+  int repeats(const WorkPrecisionRun& run, double seconds) const {
     constexpr double is_short = 0.01, is_long = 0.5;
     if (!run.completed()) return 1;
     if (seconds < is_short) return 4 * extent_.repeats;
@@ -273,8 +275,8 @@ class Computation {
 
   void time_runs(WorkPrecision& study) {
     std::vector<StudyPoint<std::vector<double>>> points;
-    std::vector<StudyRun*> timed;
-    for (StudyRun& run : study.runs) {
+    std::vector<WorkPrecisionRun*> timed;
+    for (WorkPrecisionRun& run : study.runs) {
       if (run.outcome == Outcome::out_of_time) continue;  // it would be so again
       timed.push_back(&run);
       points.push_back({fmt::format("{} on {} elements, {} times", encode(run.method).dump(), run.elements,
@@ -285,7 +287,7 @@ class Computation {
     for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->seconds = seconds[k];
   }
 
-  std::vector<double> measured_seconds(const StudyRun& run) const {
+  std::vector<double> measured_seconds(const WorkPrecisionRun& run) const {
     Case spec = on_mesh(run.elements);
     spec.method = run.method;
     std::vector<double> seconds;

@@ -6,11 +6,11 @@
 
 namespace plumb {
 
-double StudyRun::work_seconds() const {
+double WorkPrecisionRun::work_seconds() const {
   return seconds.empty() ? -1 : *std::min_element(seconds.begin(), seconds.end());
 }
 
-std::string StudyRun::setting() const {
+std::string WorkPrecisionRun::setting() const {
   if (method.step) return fmt::format("step {:.4g} s", *method.step);
   return method.rtol ? fmt::format("rtol {:.3g}", *method.rtol) : "";
 }

@@ -15,7 +15,7 @@ namespace plumb {
 
 /// One run of a work-precision study: what was run, what it cost and how far it was off. A run that failed,
 /// went wrong or ran out of time is kept with its outcome.
-struct StudyRun {
+struct WorkPrecisionRun {
   MethodSpec method;
   int elements = 0;
   Outcome outcome = Outcome::not_run;
@@ -42,7 +42,7 @@ struct ObservedOrder {
 };
 
 /// A method with its variant on one mesh, over a range of steps or tolerances.
-struct StudyCurve {
+struct MethodCurve {
   std::string label;  ///< "generalized-alpha, ρ∞ = 0.5"; the same on every mesh
   std::string method;
   MethodFamily family = MethodFamily::explicit_one_step;
@@ -92,8 +92,8 @@ struct WorkPrecision {
   double length = 0;       ///< of the cable, m
   /// Of the fastest vibration of the case's mesh at the start, rad/s; 0: none.
   double fastest_frequency = 0;
-  std::vector<StudyRun> runs;
-  std::vector<StudyCurve> curves;
+  std::vector<WorkPrecisionRun> runs;
+  std::vector<MethodCurve> curves;
   std::vector<CertifiedReference> mesh_references;  ///< one a mesh
   CertifiedReference converged_reference;
   /// Richardson's estimate of the mesh error of the converged reference itself, m; -1: not known.

@@ -33,10 +33,10 @@ constexpr StoredNorm norms[] = {{"tip_max", &ErrorNorms::tip_max, "m"},
 
 struct Errors {
   const char* group;
-  ErrorNorms StudyRun::*value;
+  ErrorNorms WorkPrecisionRun::*value;
 };
-constexpr Errors errors[] = {{"runs/time_error", &StudyRun::time_error},
-                             {"runs/total_error", &StudyRun::total_error}};
+constexpr Errors errors[] = {{"runs/time_error", &WorkPrecisionRun::time_error},
+                             {"runs/total_error", &WorkPrecisionRun::total_error}};
 
 /// Settings of a run that may be missing, which 0 stands for.
 struct Setting {
@@ -75,21 +75,21 @@ void texts(hdf5::Writer& file, const std::string& path, const Rows& rows, Get ge
   file.texts(path, values);
 }
 
-void write_runs(const std::vector<StudyRun>& runs, hdf5::Writer& file) {
-  texts(file, "runs/method", runs, [](const StudyRun& run) { return run.method.name; });
+void write_runs(const std::vector<WorkPrecisionRun>& runs, hdf5::Writer& file) {
+  texts(file, "runs/method", runs, [](const WorkPrecisionRun& run) { return run.method.name; });
   for (const Setting& setting : settings)
     numbers(file, setting.path, runs, setting.unit,
-            [&](const StudyRun& run) { return (run.method.*setting.value).value_or(0); });
-  integers(file, "runs/elements", runs, [](const StudyRun& run) { return run.elements; });
-  texts(file, "runs/outcome", runs, [](const StudyRun& run) { return word(run.outcome); });
-  texts(file, "runs/message", runs, [](const StudyRun& run) { return run.message; });
+            [&](const WorkPrecisionRun& run) { return (run.method.*setting.value).value_or(0); });
+  integers(file, "runs/elements", runs, [](const WorkPrecisionRun& run) { return run.elements; });
+  texts(file, "runs/outcome", runs, [](const WorkPrecisionRun& run) { return word(run.outcome); });
+  texts(file, "runs/message", runs, [](const WorkPrecisionRun& run) { return run.message; });
   for (const auto& [name, part] : stored_counters())
     integers(file, fmt::format("runs/counters/{}", name), runs,
-             [counter = part](const StudyRun& run) { return run.counters.*counter; });
+             [counter = part](const WorkPrecisionRun& run) { return run.counters.*counter; });
   for (const Errors& of : errors)
     for (const StoredNorm& norm : norms)
       numbers(file, fmt::format("{}/{}", of.group, norm.name), runs, norm.unit,
-              [&](const StudyRun& run) { return run.*of.value.*norm.value; });
+              [&](const WorkPrecisionRun& run) { return run.*of.value.*norm.value; });
   std::vector<long> parameter_runs, seconds_runs;
   std::vector<std::string> parameter_names;
   std::vector<double> parameter_values, seconds;
@@ -111,17 +111,17 @@ void write_runs(const std::vector<StudyRun>& runs, hdf5::Writer& file) {
   file.numbers("runs/seconds/value", {seconds.size()}, seconds.data(), "s");
 }
 
-void write_curves(const std::vector<StudyCurve>& curves, hdf5::Writer& file) {
-  texts(file, "curves/label", curves, [](const StudyCurve& c) { return c.label; });
-  texts(file, "curves/method", curves, [](const StudyCurve& c) { return c.method; });
-  texts(file, "curves/family", curves, [](const StudyCurve& c) { return word(c.family); });
-  texts(file, "curves/stated_order", curves, [](const StudyCurve& c) { return c.stated_order; });
-  texts(file, "curves/ending", curves, [](const StudyCurve& c) { return c.ending; });
-  integers(file, "curves/elements", curves, [](const StudyCurve& c) { return c.elements; });
+void write_curves(const std::vector<MethodCurve>& curves, hdf5::Writer& file) {
+  texts(file, "curves/label", curves, [](const MethodCurve& c) { return c.label; });
+  texts(file, "curves/method", curves, [](const MethodCurve& c) { return c.method; });
+  texts(file, "curves/family", curves, [](const MethodCurve& c) { return word(c.family); });
+  texts(file, "curves/stated_order", curves, [](const MethodCurve& c) { return c.stated_order; });
+  texts(file, "curves/ending", curves, [](const MethodCurve& c) { return c.ending; });
+  integers(file, "curves/elements", curves, [](const MethodCurve& c) { return c.elements; });
   // Not read back but found again; for whoever reads the file with other tools.
-  numbers(file, "curves/observed_order", curves, "1", [](const StudyCurve& c) { return c.observed.order; });
+  numbers(file, "curves/observed_order", curves, "1", [](const MethodCurve& c) { return c.observed.order; });
   numbers(file, "curves/observed_order_deviation", curves, "1",
-          [](const StudyCurve& c) { return c.observed.deviation; });
+          [](const MethodCurve& c) { return c.observed.deviation; });
   std::vector<long> of, runs;
   for (std::size_t k = 0; k < curves.size(); ++k)
     for (const std::size_t run : curves[k].runs) {
@@ -196,9 +196,9 @@ int elements_of(long elements, const std::string& path) {
   return static_cast<int>(elements);
 }
 
-std::vector<StudyRun> read_runs(const hdf5::Reader& file) {
+std::vector<WorkPrecisionRun> read_runs(const hdf5::Reader& file) {
   const std::vector<std::string> names = file.texts("runs/method");
-  std::vector<StudyRun> runs(names.size());
+  std::vector<WorkPrecisionRun> runs(names.size());
   const Columns columns(file, runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) runs[k].method.name = one_line(names[k]);
   for (const Setting& setting : settings) {
@@ -238,9 +238,9 @@ std::vector<StudyRun> read_runs(const hdf5::Reader& file) {
   return runs;
 }
 
-std::vector<StudyCurve> read_curves(const hdf5::Reader& file, std::size_t runs) {
+std::vector<MethodCurve> read_curves(const hdf5::Reader& file, std::size_t runs) {
   const auto labels = file.texts("curves/label");
-  std::vector<StudyCurve> curves(labels.size());
+  std::vector<MethodCurve> curves(labels.size());
   const Columns columns(file, curves.size());
   const auto method = columns.texts("curves/method"), family = columns.texts("curves/family"),
              order = columns.texts("curves/stated_order"), ending = columns.texts("curves/ending");

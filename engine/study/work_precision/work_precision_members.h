@@ -18,7 +18,7 @@ void members(Archive& a, ErrorNorms& norms) {
 }
 
 template <class Archive>
-void members(Archive& a, StudyRun& run) {
+void members(Archive& a, WorkPrecisionRun& run) {
   a("method", run.method);
   a("elements", run.elements);
   a("outcome", run.outcome);

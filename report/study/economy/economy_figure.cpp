@@ -12,55 +12,59 @@
 namespace plumb {
 namespace {
 
-/// Rungs that are alike, and how they look.
+/// Candidates that are alike, and how they look.
 struct Family {
   const char* label;
   Color color;
   Marker marker;
-  bool (*has)(const Rung& rung);
+  bool (*has)(const Candidate& candidate);
 };
 
-bool is_cable(const Rung& rung) {
-  return rung.cable.model == CableModel::cable;
+bool is_cable(const Candidate& candidate) {
+  return candidate.cable.model == CableModel::cable;
 }
-bool is_implicit(const Rung& rung) {
-  return find_method(rung.method.name)->implicit;
+bool is_implicit(const Candidate& candidate) {
+  return find_method(candidate.method.name)->implicit;
 }
-bool is_reduced(const Rung& rung) {
-  return rung.cable.quadrature == QuadratureRule::reduced;
+bool is_reduced(const Candidate& candidate) {
+  return candidate.cable.quadrature == QuadratureRule::reduced;
 }
-bool is_slack(const Rung& rung) {
-  return rung.cable.second_moment == 0;
+bool is_slack(const Candidate& candidate) {
+  return candidate.cable.second_moment == 0;
 }
 
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
       {"rigid rod", Color::hex(0x000000), Marker::diamond,
-       [](const Rung& rung) { return rung.cable.model == CableModel::rigid; }},
+       [](const Candidate& candidate) { return candidate.cable.model == CableModel::rigid; }},
       {"chain", Color::hex(0xE69F00), Marker::triangle_up,
-       [](const Rung& rung) { return rung.cable.model == CableModel::chain; }},
+       [](const Candidate& candidate) { return candidate.cable.model == CableModel::chain; }},
       {"cable", Color::hex(0x0072B2), Marker::circle,
-       [](const Rung& rung) {
-         return is_cable(rung) && !is_implicit(rung) && !is_reduced(rung) && !is_slack(rung);
+       [](const Candidate& candidate) {
+         return is_cable(candidate) && !is_implicit(candidate) && !is_reduced(candidate) &&
+                !is_slack(candidate);
        }},
       {"reduced quadrature", Color::hex(0x009E73), Marker::square,
-       [](const Rung& rung) { return is_cable(rung) && !is_implicit(rung) && is_reduced(rung); }},
+       [](const Candidate& candidate) {
+         return is_cable(candidate) && !is_implicit(candidate) && is_reduced(candidate);
+       }},
       {"no bending", Color::hex(0xCC79A7), Marker::triangle_down,
-       [](const Rung& rung) {
-         return is_cable(rung) && !is_implicit(rung) && !is_reduced(rung) && is_slack(rung);
+       [](const Candidate& candidate) {
+         return is_cable(candidate) && !is_implicit(candidate) && !is_reduced(candidate) &&
+                is_slack(candidate);
        }},
       {"long implicit steps", Color::hex(0x56B4E9), Marker::square,
-       [](const Rung& rung) { return is_cable(rung) && is_implicit(rung); }},
+       [](const Candidate& candidate) { return is_cable(candidate) && is_implicit(candidate); }},
   };
   return all;
 }
 
-void add(Series& series, const TriedRung& tried, double error) {
+void add(Series& series, const TriedCandidate& tried, double error) {
   series.x.push_back(1e3 * tried.seconds);
   series.y.push_back(error);
 }
 
-bool drawable(const TriedRung& tried) {
+bool drawable(const TriedCandidate& tried) {
   return tried.seconds > 0 && tried.estimate > 0 && std::isfinite(tried.estimate);
 }
 
@@ -78,8 +82,8 @@ Figure economy_figure(const Economy& economy) {
     series.color = family.color;
     series.marker = family.marker;
     series.line_width = 0;
-    for (const TriedRung& tried : economy.tried)
-      if (drawable(tried) && family.has(tried.rung)) add(series, tried, tried.estimate);
+    for (const TriedCandidate& tried : economy.tried)
+      if (drawable(tried) && family.has(tried.candidate)) add(series, tried, tried.estimate);
     if (!series.x.empty()) panel.series.push_back(std::move(series));
   }
   Series truth;
@@ -87,11 +91,11 @@ Figure economy_figure(const Economy& economy) {
   truth.color = Color::hex(0x555555);
   truth.marker = Marker::cross;
   truth.line_width = 0;
-  for (const TriedRung& tried : economy.tried)
+  for (const TriedCandidate& tried : economy.tried)
     if (tried.seconds > 0 && tried.true_error > 0 && std::isfinite(tried.true_error))
       add(truth, tried, tried.true_error);
   if (!truth.x.empty()) panel.series.push_back(std::move(truth));
-  const TriedRung* choice = economy.choice();
+  const TriedCandidate* choice = economy.choice();
   if (choice != nullptr && drawable(*choice)) {
     Series chosen;
     chosen.label = "chosen";
@@ -123,10 +127,12 @@ Figure economy_figure(const Economy& economy) {
   Figure figure;
   figure.name = "economy";
   figure.title = "Picture error against cost: what the scene needs";
-  figure.alt = fmt::format("Estimated picture error over time of {} rungs, with the tolerance of {:g} px",
-                           economy.tried.size(), economy.tolerance);
+  figure.alt =
+      fmt::format("Estimated picture error over time of {} candidates, with the tolerance of {:g} px",
+                  economy.tried.size(), economy.tolerance);
   if (choice != nullptr)
-    figure.alt += fmt::format("; chosen: {}, {}", in_words(choice->rung), pixels_in_words(choice->estimate));
+    figure.alt +=
+        fmt::format("; chosen: {}, {}", in_words(choice->candidate), pixels_in_words(choice->estimate));
   figure.plot.title = figure.title;
   figure.plot.panels.push_back(std::move(panel));
   return figure;

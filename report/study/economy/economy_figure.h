@@ -5,7 +5,8 @@
 
 namespace plumb {
 
-/// Picture error against cost of all rungs that were tried, with the scene's tolerance and the chosen one.
+/// Picture error against cost of all candidates that were tried, with the scene's tolerance and the chosen
+/// one.
 Figure economy_figure(const Economy& economy);
 
 }  // namespace plumb

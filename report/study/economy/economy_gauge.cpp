@@ -8,7 +8,7 @@ namespace plumb {
 
 MakeGauge gauge_maker(const Case& spec) {
   return [input = scene_input(spec)](const Trajectory& truth) -> PictureErrors {
-    const auto gauge = std::make_shared<const PictureGauge>(truth, input);
+    const auto gauge = std::make_shared<const ImageErrorGauge>(truth, input);
     return [gauge](const Trajectory& drawn) { return gauge->distances(drawn); };
   };
 }

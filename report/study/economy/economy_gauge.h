@@ -4,7 +4,7 @@
 
 namespace plumb {
 
-/// Holds runs of a case against each other on the pictures of its scene (PictureGauge).
+/// Holds runs of a case against each other on the pictures of its scene (ImageErrorGauge).
 MakeGauge gauge_maker(const Case& spec);
 
 }  // namespace plumb

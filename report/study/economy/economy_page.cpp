@@ -19,11 +19,11 @@ using kainjow::mustache::data;
 data need_rows(const EconomyStudy& study) {
   data rows{data::type::list};
   for (const SceneNeed& need : study.needs) {
-    const TriedRung* choice = need.economy.choice();
+    const TriedCandidate* choice = need.economy.choice();
     if (choice == nullptr) continue;
     data row;
     row["name"] = need.name;
-    row["chosen"] = in_words(choice->rung);
+    row["chosen"] = in_words(choice->candidate);
     row["holds"] = need.economy.holds;
     row["tolerance"] = fmt::format("{:g}", need.economy.tolerance);
     row["estimate"] = pixels_in_words(choice->estimate);
@@ -135,7 +135,7 @@ std::vector<Figure> economy_study_figures(const EconomyStudy& study) {
 StudySection shown_economy(const EconomyStudy& study, const std::vector<Picture>& pictures) {
   data section;
   section["reference"] = study.reference;
-  section["safe_default"] = in_words(safe_rung(study.loaded.spec));
+  section["safe_default"] = in_words(safe_candidate(study.loaded.spec));
   section["safe"] = fmt::format("{:.3g}", study.safe_seconds);
   section["safe_end"] = fmt::format("{:.3g}", study.safe_end);
   section["safe_whole"] = study.safe_end >= study.loaded.spec.time.end;

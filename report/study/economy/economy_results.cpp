@@ -35,7 +35,7 @@ Verdict verdict_of(VerdictKind kind, const std::string& name, const std::string&
 
 void judge_need(const EconomyStudy& study, const SceneNeed& need, std::vector<Verdict>& verdicts) {
   const Economy& economy = need.economy;
-  const TriedRung* choice = economy.choice();
+  const TriedCandidate* choice = economy.choice();
   const bool known = choice != nullptr && choice->true_error >= 0 && need.certified &&
                      need.reference_doubt >= 0 && std::isfinite(need.reference_doubt);
   Verdict truth = verdict_of(
@@ -44,7 +44,7 @@ void judge_need(const EconomyStudy& study, const SceneNeed& need, std::vector<Ve
       known ? choice->true_error : -1, economy.tolerance, "px",
       known && within(choice->true_error, economy.tolerance),
       known ? fmt::format("{} by {}, estimated {}", pixels_in_words(choice->true_error),
-                          in_words(choice->rung), pixels_in_words(choice->estimate))
+                          in_words(choice->candidate), pixels_in_words(choice->estimate))
             : fmt::format("the reference may be off by {}", pixels_in_words(need.reference_doubt)));
   if (!known) truth.status = VerdictStatus::not_run;
   verdicts.push_back(std::move(truth));
@@ -53,11 +53,12 @@ void judge_need(const EconomyStudy& study, const SceneNeed& need, std::vector<Ve
       VerdictKind::verification, need.name + ": estimates",
       fmt::format("true error ≤ {:g} × its estimate, beyond the doubt of the reference", economy_safety),
       worst, economy_safety, "1", worst <= economy_safety,
-      fmt::format("{:.2f} at most, over {}", worst, counted(need.proven_rungs(), "rung", "rungs")));
-  if (need.proven_rungs() == 0) {
+      fmt::format("{:.2f} at most, over {}", worst,
+                  counted(need.proven_candidates(), "candidate", "candidates")));
+  if (need.proven_candidates() == 0) {
     estimates.status = VerdictStatus::not_run;
     estimates.value = -1;
-    estimates.detail = estimates.message = "no rung has both an estimate and a true error";
+    estimates.detail = estimates.message = "no candidate has both an estimate and a true error";
   }
   verdicts.push_back(std::move(estimates));
   if (need.scene.size[0] > narrow) return;
@@ -107,17 +108,17 @@ std::vector<Verdict> verdicts_of(const EconomyStudy& study) {
   if (study.scenes.empty()) return verdicts;
   const Counts counts = counts_of(study);
   const double share = met_share(counts);
-  Verdict scenes =
-      verdict_of(VerdictKind::verification, "random scenes",
-                 fmt::format("true error ≤ tolerance in ≥ {:g} % of the scenes where a rung is said to hold",
-                             100 * least_share),
-                 100 * share, 100 * least_share, "%", share >= least_share,
-                 fmt::format("{:.1f} %: {} of {} missed; in {} no rung is said to hold", 100 * share,
-                             counts.missed, counts.hold, std::ssize(study.scenes) - counts.hold));
+  Verdict scenes = verdict_of(
+      VerdictKind::verification, "random scenes",
+      fmt::format("true error ≤ tolerance in ≥ {:g} % of the scenes where a candidate is said to hold",
+                  100 * least_share),
+      100 * share, 100 * least_share, "%", share >= least_share,
+      fmt::format("{:.1f} %: {} of {} missed; in {} no candidate is said to hold", 100 * share, counts.missed,
+                  counts.hold, std::ssize(study.scenes) - counts.hold));
   if (counts.hold == 0) {
     scenes.status = VerdictStatus::not_run;
     scenes.value = -1;
-    scenes.detail = scenes.message = "in none of the scenes a rung is said to hold";
+    scenes.detail = scenes.message = "in none of the scenes a candidate is said to hold";
   }
   verdicts.push_back(std::move(scenes));
   return verdicts;
@@ -161,12 +162,12 @@ std::string command_of(const EconomyStudy& study, const RandomScene& scene) {
 std::vector<std::string> need_lines(const EconomyStudy& study) {
   std::vector<std::string> lines;
   for (const SceneNeed& need : study.needs) {
-    const TriedRung* choice = need.economy.choice();
+    const TriedCandidate* choice = need.economy.choice();
     if (choice == nullptr) continue;
     lines.push_back(
         fmt::format("  {}: {}{}; estimated {}, in truth {}, tolerance {:g} px; {:.3g} ms, {:.0f} times "
                     "less than the safe default",
-                    need.name, in_words(choice->rung), need.economy.holds ? "" : " (unproven)",
+                    need.name, in_words(choice->candidate), need.economy.holds ? "" : " (unproven)",
                     pixels_in_words(choice->estimate), pixels_in_words(choice->true_error),
                     need.economy.tolerance, 1e3 * need.seconds, cost_ratio(study, need)));
   }

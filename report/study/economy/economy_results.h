@@ -9,8 +9,8 @@
 namespace plumb {
 
 /// Of each picture: the true error is within the tolerance, no estimate is below the truth by more than the
-/// safety factor (verification), and where it is no wider than 320 pixels the chosen rung costs at most a
-/// twentieth of the safe default (performance). Of the random scenes: at least 99 % of the choices that are
+/// safety factor (verification), and where it is no wider than 320 pixels the chosen candidate costs at most
+/// a twentieth of the safe default (performance). Of the random scenes: at least 99 % of the choices that are
 /// said to hold do.
 StudyReport evaluate_economy(const EconomyStudy& study, const Stages& stages);
 
@@ -20,8 +20,8 @@ std::vector<Figure> economy_study_figures(const EconomyStudy& study);
 /// The study on its page, with these pictures.
 StudySection shown_economy(const EconomyStudy& study, const std::vector<Picture>& pictures);
 
-/// How many times the safe default costs what the chosen rung does; a lower bound where the safe default ran
-/// out of time. -1: not known.
+/// How many times the safe default costs what the chosen candidate does; a lower bound where the safe default
+/// ran out of time. -1: not known.
 double cost_ratio(const EconomyStudy& study, const SceneNeed& need);
 
 /// "plumb run CASE --economy --explain --set …", which repeats a random scene.

@@ -20,16 +20,16 @@ using kainjow::mustache::data;
 
 constexpr const char* economy_key = "economy";
 
-std::string cost(const TriedRung& tried) {
+std::string cost(const TriedCandidate& tried) {
   return tried.seconds < 0 ? "not run" : fmt::format("{:.3g} ms", 1e3 * tried.seconds);
 }
 
-data rung_rows(const Economy& economy) {
+data candidate_rows(const Economy& economy) {
   data rows{data::type::list};
   for (std::size_t k = 0; k < economy.tried.size(); ++k) {
-    const TriedRung& tried = economy.tried[k];
+    const TriedCandidate& tried = economy.tried[k];
     data row;
-    row["name"] = in_words(tried.rung);
+    row["name"] = in_words(tried.candidate);
     row["cost"] = cost(tried);
     row["estimate"] = tried.estimate < 0 ? "–" : pixels_in_words(tried.estimate);
     row["why"] = tried.why;
@@ -41,10 +41,10 @@ data rung_rows(const Economy& economy) {
 
 Document economy_document(const Economy& economy, const SceneSpec& scene) {
   Document json = economy_json(economy);
-  const TriedRung* choice = economy.choice();
+  const TriedCandidate* choice = economy.choice();
   json["in_words"] = economy_sentence(economy, scene);
-  json["needs"] = choice ? in_words(choice->rung) : "";
-  if (choice) json["picture_error"] = tried_rung_json(*choice)["estimated_picture_error"];
+  json["needs"] = choice ? in_words(choice->candidate) : "";
+  if (choice) json["picture_error"] = tried_candidate_json(*choice)["estimated_picture_error"];
   json["explained"] = explain(economy);
   return json;
 }
@@ -54,7 +54,7 @@ std::string economy_html(const Document& document, const std::vector<Picture>&) 
   data section;
   section["sentence"] = document.at("in_words").get<std::string>();
   section["good"] = economy.holds;
-  section["rungs"] = rung_rows(economy);
+  section["candidates"] = candidate_rows(economy);
   section["safety"] = fmt::format("{:g}", economy_safety);
   section["tolerance"] = fmt::format("{:g}", economy.tolerance);
   data notes{data::type::list};

@@ -18,18 +18,19 @@ std::string seconds_in_words(double seconds) {
 }
 
 /// The full model on the case's own mesh.
-const TriedRung* own_mesh(const Economy& economy) {
-  const auto found = std::find_if(economy.tried.begin(), economy.tried.end(), [&](const TriedRung& tried) {
-    return tried.rung.cable.model == CableModel::cable && tried.estimate >= 0 &&
-           tried.rung.cable.elements == economy.case_elements && is_leapfrog(tried.rung);
-  });
+const TriedCandidate* own_mesh(const Economy& economy) {
+  const auto found =
+      std::find_if(economy.tried.begin(), economy.tried.end(), [&](const TriedCandidate& tried) {
+        return tried.candidate.cable.model == CableModel::cable && tried.estimate >= 0 &&
+               tried.candidate.cable.elements == economy.case_elements && is_leapfrog(tried.candidate);
+      });
   return found == economy.tried.end() ? nullptr : &*found;
 }
 
 /// "a cable of 16 elements", without its method.
-std::string model_in_words(const TriedRung& tried) {
-  const std::string all = in_words(tried.rung);
-  return "a " + all.substr(0, all.find(", " + tried.rung.method.name));
+std::string model_in_words(const TriedCandidate& tried) {
+  const std::string all = in_words(tried.candidate);
+  return "a " + all.substr(0, all.find(", " + tried.candidate.method.name));
 }
 
 }  // namespace
@@ -40,22 +41,23 @@ std::string pixels_in_words(double pixels) {
 }
 
 std::string economy_sentence(const Economy& economy, const SceneSpec& scene) {
-  const TriedRung* choice = economy.choice();
+  const TriedCandidate* choice = economy.choice();
   const std::string where = fmt::format("At {} by {} pixels", scene.size[0], scene.size[1]);
   if (!economy.holds || choice == nullptr)
-    return fmt::format("{} no rung is known to be within {:g} px of the true picture. Uncertain is {}.",
+    return fmt::format("{} no candidate is known to be within {:g} px of the true picture. Uncertain is {}.",
                        where, economy.tolerance, economy.uncertain);
   std::string text = fmt::format("{} this scene needs {}, off by {} as estimated", where,
                                  model_in_words(*choice), pixels_in_words(choice->estimate));
   if (choice->true_error >= 0) text += fmt::format(" and {} in truth", pixels_in_words(choice->true_error));
-  if (const TriedRung* own = own_mesh(economy)) {
-    text += own->rung.cable == choice->rung.cable
-                ? "; that is the mesh of the case"
-                : fmt::format("; the {} of the case {} off by {}",
-                              own->rung.cable.elements == 1
-                                  ? std::string("one element")
-                                  : fmt::format("{} elements", own->rung.cable.elements),
-                              own->rung.cable.elements == 1 ? "is" : "are", pixels_in_words(own->estimate));
+  if (const TriedCandidate* own = own_mesh(economy)) {
+    text +=
+        own->candidate.cable == choice->candidate.cable
+            ? "; that is the mesh of the case"
+            : fmt::format("; the {} of the case {} off by {}",
+                          own->candidate.cable.elements == 1
+                              ? std::string("one element")
+                              : fmt::format("{} elements", own->candidate.cable.elements),
+                          own->candidate.cable.elements == 1 ? "is" : "are", pixels_in_words(own->estimate));
   }
   return text + fmt::format(" (tolerance {:g} px).", economy.tolerance);
 }
@@ -63,12 +65,13 @@ std::string economy_sentence(const Economy& economy, const SceneSpec& scene) {
 std::vector<std::string> explain(const Economy& economy) {
   std::vector<std::string> lines;
   std::size_t width = 0;
-  for (const TriedRung& tried : economy.tried) width = std::max(width, in_words(tried.rung).size());
+  for (const TriedCandidate& tried : economy.tried) width = std::max(width, in_words(tried.candidate).size());
   for (std::size_t k = 0; k < economy.tried.size(); ++k) {
-    const TriedRung& tried = economy.tried[k];
-    std::string line = fmt::format(
-        "{} {:<{}}  {:>8}  {:>21}", static_cast<int>(k) == economy.chosen ? ">" : " ", in_words(tried.rung),
-        width, seconds_in_words(tried.seconds), tried.estimate < 0 ? "–" : pixels_in_words(tried.estimate));
+    const TriedCandidate& tried = economy.tried[k];
+    std::string line =
+        fmt::format("{} {:<{}}  {:>8}  {:>21}", static_cast<int>(k) == economy.chosen ? ">" : " ",
+                    in_words(tried.candidate), width, seconds_in_words(tried.seconds),
+                    tried.estimate < 0 ? "–" : pixels_in_words(tried.estimate));
     if (tried.true_error >= 0) line += fmt::format("  in truth {}", pixels_in_words(tried.true_error));
     lines.push_back(line + "  " + tried.why);
   }
@@ -79,7 +82,7 @@ std::vector<std::string> explain(const Economy& economy) {
                     economy.finest, pixels_in_words(economy.finest_error), economy.observed_ratio));
   if (economy.time_share >= 0)
     lines.push_back(
-        fmt::format("of the chosen rung's error its step is guilty of {}, model and mesh of the rest",
+        fmt::format("of the chosen candidate's error its step is guilty of {}, model and mesh of the rest",
                     pixels_in_words(economy.time_share)));
   lines.push_back(
       fmt::format("the search took {}, {:.2g} of the predicted cost of one run at the safe default",
@@ -107,7 +110,7 @@ Verdict economy_verdict(const Economy& economy) {
   verdict.limit = economy.tolerance;
   verdict.unit = "px";
   verdict.reason = "What a viewer can tell is scene.tolerance; the factor is for what an estimate may miss.";
-  const TriedRung* choice = economy.choice();
+  const TriedCandidate* choice = economy.choice();
   if (choice == nullptr || !(choice->estimate >= 0)) {
     verdict.detail = verdict.message = "its error could not be estimated: uncertain is " + economy.uncertain;
     return verdict;

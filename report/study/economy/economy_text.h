@@ -15,11 +15,12 @@ std::string pixels_in_words(double pixels);
 /// off.", or what is uncertain.
 std::string economy_sentence(const Economy& economy, const SceneSpec& scene);
 
-/// The rungs tried, from cheap to dear, a line each: cost, estimated and true error, why it was left; then
-/// what the estimates are from, and what the search cost.
+/// The candidates tried, from cheap to dear, a line each: cost, estimated and true error, why it was left;
+/// then what the estimates are from, and what the search cost.
 std::vector<std::string> explain(const Economy& economy);
 
-/// Verification: the chosen rung's estimated picture error, times the safety factor, against the tolerance.
+/// Verification: the chosen candidate's estimated picture error, times the safety factor, against the
+/// tolerance.
 Verdict economy_verdict(const Economy& economy);
 
 /// The same of a run whose choice is not at hand: not run. `tolerance` is in pixels.

@@ -282,13 +282,14 @@ Figure separation_figure(const Stability& study) {
   by_parameter.title = counted(study.elements, "element", "elements");
   by_elements.title = parameter_text(study, study.parameter_value);
   std::string words;
-  std::vector<Separation> sorted = study.separations;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Separation& a, const Separation& b) { return a.elements < b.elements; });
-  for (const Separation& separation : sorted) {
+  std::vector<TrajectoryDivergence> sorted = study.divergences;
+  std::stable_sort(
+      sorted.begin(), sorted.end(),
+      [](const TrajectoryDivergence& a, const TrajectoryDivergence& b) { return a.elements < b.elements; });
+  for (const TrajectoryDivergence& divergence : sorted) {
     Series series;
-    series.x = separation.times;
-    series.y = separation.distances;
+    series.x = divergence.times;
+    series.y = divergence.distances;
     const auto put = [&](Panel& panel, const std::string& label) {
       const std::size_t k = panel.series.size();
       series.label = label;
@@ -296,12 +297,12 @@ Figure separation_figure(const Stability& study) {
       series.dash = k < palette.size() ? Dash::solid : Dash::dashed;
       panel.series.push_back(series);
     };
-    const bool own = separation.elements == study.elements && separation.parameter == study.parameter_value;
-    if (!study.parameter.empty() && separation.elements == study.elements)
-      put(by_parameter, parameter_text(study, separation.parameter));
-    if (own || separation.elements != study.elements || study.parameter.empty())
-      put(by_elements, counted(separation.elements, "element", "elements"));
-    words += " " + separation.in_words;
+    const bool own = divergence.elements == study.elements && divergence.parameter == study.parameter_value;
+    if (!study.parameter.empty() && divergence.elements == study.elements)
+      put(by_parameter, parameter_text(study, divergence.parameter));
+    if (own || divergence.elements != study.elements || study.parameter.empty())
+      put(by_elements, counted(divergence.elements, "element", "elements"));
+    words += " " + divergence.in_words;
   }
   for (Panel* panel : {&by_parameter, &by_elements}) {
     panel->x.label = "time [s]";
@@ -332,7 +333,7 @@ std::vector<Figure> stability_figures(const Stability& study) {
   if (!study.critical_steps.empty()) figures.push_back(limits_figure(study));
   if (!study.energies.empty()) figures.push_back(energy_figure(study));
   if (!study.amplifications.empty()) figures.push_back(amplification_figure(study));
-  if (!study.separations.empty()) figures.push_back(separation_figure(study));
+  if (!study.divergences.empty()) figures.push_back(separation_figure(study));
   return figures;
 }
 

@@ -93,8 +93,8 @@ void set_words(data& values, const Stability& study) {
 }
 
 void set_maps(data& values, const Stability& study, const std::vector<Picture>& pictures) {
-  const bool all = std::all_of(study.separations.begin(), study.separations.end(),
-                               [](const Separation& s) { return s.beyond_end; });
+  const bool all = std::all_of(study.divergences.begin(), study.divergences.end(),
+                               [](const TrajectoryDivergence& s) { return s.beyond_end; });
   values["judged"] = all ? "All are judged to their end, as neighbouring motions stay together."
                          : "Where neighbouring motions part, a run is judged up to there, and beyond it by "
                            "its energy alone.";
@@ -175,16 +175,16 @@ data amplification_rows(const Stability& study) {
 
 data separation_rows(const Stability& study) {
   data rows{data::type::list};
-  for (std::size_t k = 0; k < std::min(study.separations.size(), study.references.size()); ++k) {
-    const Separation& separation = study.separations[k];
+  for (std::size_t k = 0; k < std::min(study.divergences.size(), study.references.size()); ++k) {
+    const TrajectoryDivergence& divergence = study.divergences[k];
     const StabilityReference& reference = study.references[k];
     data row;
-    row["value"] = fmt::format("{:g}", separation.parameter);
-    row["elements"] = std::to_string(separation.elements);
-    row["exponent"] = number(separation.exponent);
-    row["horizon"] = separation.horizon < 0 && !separation.beyond_end ? "–"
-                     : separation.beyond_end ? fmt::format("beyond {:g} s", reference.duration)
-                                             : fmt::format("{:.3g} s", separation.horizon);
+    row["value"] = fmt::format("{:g}", divergence.parameter);
+    row["elements"] = std::to_string(divergence.elements);
+    row["exponent"] = number(divergence.exponent);
+    row["horizon"] = divergence.horizon < 0 && !divergence.beyond_end ? "–"
+                     : divergence.beyond_end ? fmt::format("beyond {:g} s", reference.duration)
+                                             : fmt::format("{:.3g} s", divergence.horizon);
     row["trusted"] = known(reference.trusted_until);
     row["agreement"] = reference.agreement < 0 ? "–" : fmt::format("{:.1e}", reference.agreement);
     row["start"] = number(reference.frequency_at_start);
@@ -196,12 +196,12 @@ data separation_rows(const Stability& study) {
 
 std::string horizon_words(const Stability& study) {
   std::string early;
-  for (const Separation& separation : study.separations)
-    if (!separation.beyond_end && separation.horizon >= 0) {
-      const std::string value = parameter_text(study, separation.parameter);
+  for (const TrajectoryDivergence& divergence : study.divergences)
+    if (!divergence.beyond_end && divergence.horizon >= 0) {
+      const std::string value = parameter_text(study, divergence.parameter);
       early += fmt::format("{}{}{}{} until {:.3g} s", early.empty() ? "" : ", ", value,
-                           value.empty() ? "" : " with ", counted(separation.elements, "element", "elements"),
-                           separation.horizon);
+                           value.empty() ? "" : " with ", counted(divergence.elements, "element", "elements"),
+                           divergence.horizon);
     }
   const std::string why =
       " Two starts that nobody could tell apart are followed until they are further from one another than "
@@ -296,7 +296,7 @@ std::string section_html(const Stability& study, const std::vector<Picture>& pic
   values["has_amplifications"] = !study.amplifications.empty();
   values["amplifications"] = amplification_rows(study);
   set_picture(values, "amplification_picture", pictures, amplification_figure_name);
-  values["has_separations"] = !study.separations.empty();
+  values["has_separations"] = !study.divergences.empty();
   values["separations"] = separation_rows(study);
   values["has_statistics"] = !study.statistics.empty();
   values["statistics"] = statistics_rows(study);
@@ -317,7 +317,7 @@ StudySection shown_stability(const Stability& study, const std::vector<Picture>&
   if (!study.critical_steps.empty()) section.links.emplace_back("stability-limits", "Critical steps");
   if (!study.energies.empty()) section.links.emplace_back("stability-energy", "Energy");
   if (!study.amplifications.empty()) section.links.emplace_back("stability-amplification", "One vibration");
-  if (!study.separations.empty()) section.links.emplace_back("stability-separation", "Horizon");
+  if (!study.divergences.empty()) section.links.emplace_back("stability-separation", "Horizon");
   section.links.emplace_back("stability-failures", "Failures");
   section.html = section_html(study, pictures);
   section.css = stability_css;

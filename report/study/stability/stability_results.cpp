@@ -62,9 +62,9 @@ Verdict reference_verdict(const Stability& study, const StabilityReference& refe
 }
 
 /// The time up to which neighbours stay together, at most that of the reference.
-double horizon_of(const Separation& separation, const StabilityReference& reference) {
-  if (separation.beyond_end || separation.horizon < 0) return reference.duration;
-  return std::min(separation.horizon, reference.duration);
+double horizon_of(const TrajectoryDivergence& divergence, const StabilityReference& reference) {
+  if (divergence.beyond_end || divergence.horizon < 0) return reference.duration;
+  return std::min(divergence.horizon, reference.duration);
 }
 
 bool any_run(const Stability& study) {
@@ -99,7 +99,7 @@ std::vector<Verdict> stability_verdicts(const Stability& study) {
     const StabilityReference& reference = study.references[k];
     verdicts.push_back(reference_verdict(
         study, reference,
-        k < study.separations.size() ? horizon_of(study.separations[k], reference) : reference.duration));
+        k < study.divergences.size() ? horizon_of(study.divergences[k], reference) : reference.duration));
   }
   return verdicts;
 }

@@ -11,7 +11,7 @@
 namespace plumb {
 namespace {
 
-bool shown(const WorkPrecision& study, const StudyRun& run, StudyQuestion question) {
+bool shown(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question) {
   return fate_of(study, run, question) == RunFate::good && run.work_seconds() > 0;
 }
 
@@ -20,7 +20,7 @@ double handicap(const WorkPrecision& study, const StudyLine& line, const std::ve
                 StudyQuestion question) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::size_t k : line.runs) {
-    const StudyRun& run = study.runs[k];
+    const WorkPrecisionRun& run = study.runs[k];
     if (!shown(study, run, question)) continue;
     double cheapest = run.work_seconds();
     for (const StudyLine& other : all)
@@ -35,7 +35,7 @@ double handicap(const WorkPrecision& study, const StudyLine& line, const std::ve
 
 }  // namespace
 
-const ErrorNorms& errors_of(const StudyRun& run, StudyQuestion question) {
+const ErrorNorms& errors_of(const WorkPrecisionRun& run, StudyQuestion question) {
   return question == StudyQuestion::time ? run.time_error : run.total_error;
 }
 
@@ -51,13 +51,13 @@ const CertifiedReference* reference_of(const WorkPrecision& study, StudyQuestion
   return nullptr;
 }
 
-RunFate fate_of(const WorkPrecision& study, const StudyRun& run, StudyQuestion question) {
+RunFate fate_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question) {
   const double error = errors_of(run, question).tip_max;
   if (!run.completed() || !std::isfinite(error) || error < 0) return RunFate::failed;
   return study.length > 0 && error > wrong_beyond * study.length ? RunFate::wrong : RunFate::good;
 }
 
-std::string trouble_of(const WorkPrecision& study, const StudyRun& run, StudyQuestion question) {
+std::string trouble_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question) {
   switch (fate_of(study, run, question)) {
     case RunFate::good:
       return "";
@@ -71,14 +71,15 @@ std::string trouble_of(const WorkPrecision& study, const StudyRun& run, StudyQue
 }
 
 bool any_compared(const WorkPrecision& study, StudyQuestion question) {
-  return std::any_of(study.runs.begin(), study.runs.end(),
-                     [&](const StudyRun& run) { return fate_of(study, run, question) != RunFate::failed; });
+  return std::any_of(study.runs.begin(), study.runs.end(), [&](const WorkPrecisionRun& run) {
+    return fate_of(study, run, question) != RunFate::failed;
+  });
 }
 
 std::vector<StudyLine> study_lines(const WorkPrecision& study, StudyQuestion question) {
   std::vector<StudyLine> lines;
   for (std::size_t c = 0; c < study.curves.size(); ++c) {
-    const StudyCurve& curve = study.curves[c];
+    const MethodCurve& curve = study.curves[c];
     if (question == StudyQuestion::time && curve.elements != study.fixed_elements) continue;
     auto line = std::find_if(lines.begin(), lines.end(),
                              [&](const StudyLine& known) { return known.label == curve.label; });

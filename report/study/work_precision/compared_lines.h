@@ -13,7 +13,7 @@ enum class StudyQuestion {
   total,  ///< how close to the continuum method and mesh together come
 };
 
-const ErrorNorms& errors_of(const StudyRun& run, StudyQuestion question);
+const ErrorNorms& errors_of(const WorkPrecisionRun& run, StudyQuestion question);
 /// The Pareto front of a question, indices into WorkPrecision::runs.
 const std::vector<std::size_t>& front_of(const WorkPrecision& study, StudyQuestion question);
 /// The reference that a question's errors are held against; nullptr: there is none.
@@ -25,11 +25,11 @@ enum class RunFate {
   wrong,   ///< completed, but further off than `wrong_beyond` of the length
   failed,  ///< did not complete, or its error is not known
 };
-RunFate fate_of(const WorkPrecision& study, const StudyRun& run, StudyQuestion question);
+RunFate fate_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question);
 
 /// What a run says for itself in a table: "unstable: …", "stable but wrong: 0.51 m off"; empty for a good
 /// one.
-std::string trouble_of(const WorkPrecision& study, const StudyRun& run, StudyQuestion question);
+std::string trouble_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question);
 
 /// Whether any run has an error of the question.
 bool any_compared(const WorkPrecision& study, StudyQuestion question);

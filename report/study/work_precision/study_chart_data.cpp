@@ -59,7 +59,7 @@ Json errors_json(const ErrorNorms& norms) {
   return json;
 }
 
-Json run_json(const StudyRun& run) {
+Json run_json(const WorkPrecisionRun& run) {
   const Counters& c = run.counters;
   Json json;
   json["method"] = run.method.name;
@@ -112,9 +112,9 @@ std::string study_chart_data(const WorkPrecision& study) {
   for (const ErrorNorm norm : error_norm_list)
     json["norms"].push_back({{"id", word(norm)}, {"name", name(norm)}, {"unit", unit(norm)}});
   json["runs"] = Json::array();
-  for (const StudyRun& run : study.runs) json["runs"].push_back(run_json(run));
+  for (const WorkPrecisionRun& run : study.runs) json["runs"].push_back(run_json(run));
   json["curves"] = Json::array();
-  for (const StudyCurve& curve : study.curves)
+  for (const MethodCurve& curve : study.curves)
     json["curves"].push_back({{"label", curve.label},
                               {"family", word(curve.family)},
                               {"elements", curve.elements},

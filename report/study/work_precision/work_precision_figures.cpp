@@ -245,13 +245,13 @@ class WorkFigure {
   double top_ = 0;
 };
 
-std::string order_in_words(const StudyCurve& curve) {
+std::string order_in_words(const MethodCurve& curve) {
   if (curve.observed.order < 0) return "no order seen";
   return fmt::format("{:.2f} ± {:.2f}", curve.observed.order, curve.observed.deviation);
 }
 
 /// Mean step of a run, s; 0: not known.
-double mean_step(const WorkPrecision& study, const StudyRun& run) {
+double mean_step(const WorkPrecision& study, const WorkPrecisionRun& run) {
   return run.counters.steps > 0 ? study.end / static_cast<double>(run.counters.steps) : 0;
 }
 
@@ -263,7 +263,7 @@ Figure order_figure(const WorkPrecision& study) {
   panel.y = log_axis("error of time integration: tip, greatest [m]");
   std::string seen;
   for (const StudyLine& line : lines) {
-    const StudyCurve& curve = study.curves[line.curves.front()];
+    const MethodCurve& curve = study.curves[line.curves.front()];
     const CurveStyle& style = styles.at(line.label);
     Series part = styled("", style);
     part.marker = Marker::none;
@@ -274,7 +274,7 @@ Figure order_figure(const WorkPrecision& study) {
         curve.observed.order < 0 ? line.label : fmt::format("{}: {:.2f}", line.label, curve.observed.order),
         style);
     for (const std::size_t k : line.runs) {
-      const StudyRun& run = study.runs[k];
+      const WorkPrecisionRun& run = study.runs[k];
       if (fate_of(study, run, StudyQuestion::time) == RunFate::failed) continue;
       const double step = mean_step(study, run);
       add(series, step, run.time_error.tip_max);

@@ -19,7 +19,7 @@ Json norms_json(const ErrorNorms& norms) {
           {"energy", norms.energy}};
 }
 
-Json run_json(const StudyRun& run, double length) {
+Json run_json(const WorkPrecisionRun& run, double length) {
   return {{"method", method_json(run.method)},
           {"elements", run.elements},
           {"outcome", word(run.outcome)},
@@ -37,7 +37,7 @@ Json run_json(const StudyRun& run, double length) {
           {"total_error", norms_json(run.total_error)}};
 }
 
-Json curve_json(const StudyCurve& curve) {
+Json curve_json(const MethodCurve& curve) {
   return {{"label", curve.label},
           {"method", curve.method},
           {"family", word(curve.family)},
@@ -129,8 +129,8 @@ ErrorNorms norms_of(const Json& json) {
   return {number(json, "tip_max"), number(json, "tip_rms"), number(json, "curve"), number(json, "energy")};
 }
 
-StudyRun run_of(const Json& json) {
-  StudyRun run;
+WorkPrecisionRun run_of(const Json& json) {
+  WorkPrecisionRun run;
   run.method = method_of(json.at("method"));
   read(json, "elements", run.elements);
   run.outcome = outcome_of(json.at("outcome").get<std::string>());
@@ -147,8 +147,8 @@ StudyRun run_of(const Json& json) {
   return run;
 }
 
-StudyCurve curve_of(const Json& json) {
-  StudyCurve curve;
+MethodCurve curve_of(const Json& json) {
+  MethodCurve curve;
   read(json, "label", curve.label);
   read(json, "method", curve.method);
   curve.family = family_of(json.at("family").get<std::string>());
@@ -206,7 +206,7 @@ void check_places(const std::vector<std::size_t>& places, std::size_t size) {
 }
 
 void check(const WorkPrecision& study) {
-  for (const StudyCurve& curve : study.curves) check_places(curve.runs, study.runs.size());
+  for (const MethodCurve& curve : study.curves) check_places(curve.runs, study.runs.size());
   for (const auto* front : {&study.time_front, &study.total_front}) check_places(*front, study.runs.size());
   for (const auto* cheapest : {&study.time_cheapest, &study.total_cheapest})
     for (const CheapestRun& run : *cheapest) check_places({run.run}, study.runs.size());
@@ -224,8 +224,8 @@ Json work_precision_json(const WorkPrecision& study) {
             {"runs", Json::array()},
             {"curves", Json::array()},
             {"mesh_references", Json::array()}};
-  for (const StudyRun& run : study.runs) json["runs"].push_back(run_json(run, study.length));
-  for (const StudyCurve& curve : study.curves) json["curves"].push_back(curve_json(curve));
+  for (const WorkPrecisionRun& run : study.runs) json["runs"].push_back(run_json(run, study.length));
+  for (const MethodCurve& curve : study.curves) json["curves"].push_back(curve_json(curve));
   for (const CertifiedReference& reference : study.mesh_references)
     json["mesh_references"].push_back(reference_json(reference));
   json["converged_reference"] = reference_json(study.converged_reference);

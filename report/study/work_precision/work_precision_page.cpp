@@ -46,7 +46,7 @@ std::string duration(double seconds) {
 }
 
 /// How much longer than the least the greatest repeat took.
-std::string spread(const StudyRun& run) {
+std::string spread(const WorkPrecisionRun& run) {
   if (run.seconds.size() < 2 || !(run.work_seconds() > 0)) return "–";
   const double greatest = *std::max_element(run.seconds.begin(), run.seconds.end());
   return fmt::format("+{:.0f} % of {}", 100 * (greatest / run.work_seconds() - 1), run.seconds.size());
@@ -55,14 +55,14 @@ std::string spread(const StudyRun& run) {
 /// The label of each run's curve.
 std::vector<std::string> labels_of(const WorkPrecision& study) {
   std::vector<std::string> labels(study.runs.size());
-  for (const StudyCurve& curve : study.curves)
+  for (const MethodCurve& curve : study.curves)
     for (const std::size_t k : curve.runs) labels[k] = curve.label;
   return labels;
 }
 
 data run_row(const WorkPrecision& study, const std::string& label, std::size_t index,
              StudyQuestion question) {
-  const StudyRun& run = study.runs[index];
+  const WorkPrecisionRun& run = study.runs[index];
   data row;
   row["label"] = label;
   row["elements"] = std::to_string(run.elements);
@@ -140,7 +140,7 @@ data question_values(const WorkPrecision& study, StudyQuestion question,
 data order_rows(const WorkPrecision& study) {
   data rows{data::type::list};
   for (const StudyLine& line : study_lines(study, StudyQuestion::time)) {
-    const StudyCurve& curve = study.curves[line.curves.front()];
+    const MethodCurve& curve = study.curves[line.curves.front()];
     const ObservedOrder& seen = curve.observed;
     data row;
     row["label"] = line.label;
@@ -197,7 +197,7 @@ data failure_rows(const WorkPrecision& study, std::size_t& failures) {
   const std::vector<std::string> labels = labels_of(study);
   data rows{data::type::list};
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
-    const StudyRun& run = study.runs[k];
+    const WorkPrecisionRun& run = study.runs[k];
     std::string reason = trouble_of(study, run, StudyQuestion::time);
     const std::string total = trouble_of(study, run, StudyQuestion::total);
     const bool uncompared = run.completed() && fate_of(study, run, StudyQuestion::total) == RunFate::failed;
@@ -251,10 +251,10 @@ data floor_rows(const WorkPrecision& study) {
 
 std::string summary(const WorkPrecision& study) {
   const auto completed = std::count_if(study.runs.begin(), study.runs.end(),
-                                       [](const StudyRun& run) { return run.completed(); });
+                                       [](const WorkPrecisionRun& run) { return run.completed(); });
   std::set<std::string> labels;
   std::set<int> meshes;
-  for (const StudyCurve& curve : study.curves) {
+  for (const MethodCurve& curve : study.curves) {
     labels.insert(curve.label);
     meshes.insert(curve.elements);
   }

@@ -48,14 +48,14 @@ Verdict reference_verdict(const CertifiedReference& reference, const std::string
 
 /// The lowest order that a curve may show: the stated one, or the stage order where all steps of the fit are
 /// long against the fastest vibration.
-double lowest_order(const WorkPrecision& study, const StudyCurve& curve, double stated) {
+double lowest_order(const WorkPrecision& study, const MethodCurve& curve, double stated) {
   const MethodInfo* method = find_method(curve.method);
   const bool reduced = method != nullptr && method->stage_order > 0 &&
                        study.fastest_frequency * curve.observed.smallest_step > 1;
   return reduced ? std::min<double>(stated, method->stage_order) : stated;
 }
 
-std::optional<Verdict> order_verdict(const WorkPrecision& study, const StudyCurve& curve) {
+std::optional<Verdict> order_verdict(const WorkPrecision& study, const MethodCurve& curve) {
   const auto stated = single_order(curve.stated_order);
   const bool fixed_step = !curve.runs.empty() && study.runs[curve.runs.front()].method.step.has_value();
   if (curve.elements != study.fixed_elements || !stated || !fixed_step || curve.observed.order < 0) return {};
@@ -102,7 +102,7 @@ std::vector<Verdict> study_verdicts(const WorkPrecision& study) {
   verdicts.push_back(reference_verdict(
       study.converged_reference,
       fmt::format("reference: converged, {} elements", study.converged_reference.elements)));
-  for (const StudyCurve& curve : study.curves)
+  for (const MethodCurve& curve : study.curves)
     if (auto verdict = order_verdict(study, curve)) verdicts.push_back(std::move(*verdict));
   return verdicts;
 }
@@ -115,10 +115,10 @@ std::string failures_in_words(const WorkPrecision& study) {
   for (const Outcome outcome : outcomes())
     if (outcome != Outcome::completed)
       add(std::count_if(study.runs.begin(), study.runs.end(),
-                        [&](const StudyRun& run) { return run.outcome == outcome; }),
+                        [&](const WorkPrecisionRun& run) { return run.outcome == outcome; }),
           word(outcome));
   add(std::count_if(study.runs.begin(), study.runs.end(),
-                    [&](const StudyRun& run) {
+                    [&](const WorkPrecisionRun& run) {
                       return run.completed() && run.time_error.tip_max > wrong_beyond * study.length;
                     }),
       "stable but wrong");
@@ -130,7 +130,7 @@ StudyReport evaluate_study(const Study& study, const Stages& stages) {
   StudyReport report{study.loaded, "speed against accuracy", result.provenance, study_verdicts(result),
                      stages};
   report.complete = std::any_of(result.runs.begin(), result.runs.end(),
-                                [](const StudyRun& run) { return run.completed(); });
+                                [](const WorkPrecisionRun& run) { return run.completed(); });
   const std::string runs = counted(std::ssize(result.runs), "run", "runs");
   const std::string failures = failures_in_words(result);
   report.headline =

@@ -25,7 +25,7 @@ void add_cheapest(const std::string& title, const std::vector<CheapestRun>& chea
 /// The width of the longest label, in characters.
 std::size_t label_width(const WorkPrecision& study) {
   std::size_t width = 0;
-  for (const StudyCurve& curve : study.curves)
+  for (const MethodCurve& curve : study.curves)
     width = std::max(
         width, static_cast<std::size_t>(std::count_if(curve.label.begin(), curve.label.end(), [](char c) {
           return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -37,7 +37,7 @@ void add_orders(const WorkPrecision& study, std::vector<Finding>& lines) {
   const std::size_t width = label_width(study);
   lines.push_back({fmt::format("Observed orders, {}: stated, seen, over which steps",
                                counted(study.fixed_elements, "element", "elements"))});
-  for (const StudyCurve& curve : study.curves) {
+  for (const MethodCurve& curve : study.curves) {
     if (curve.elements != study.fixed_elements) continue;
     std::string seen = "no asymptotic part of three runs";
     if (curve.observed.order >= 0)
@@ -52,7 +52,7 @@ void add_front(const WorkPrecision& study, std::vector<Finding>& lines) {
   lines.push_back({fmt::format("Pareto front, {}: no run is both cheaper and nearer",
                                counted(study.fixed_elements, "element", "elements"))});
   for (const std::size_t k : study.time_front) {
-    const auto curve = std::find_if(study.curves.begin(), study.curves.end(), [&](const StudyCurve& any) {
+    const auto curve = std::find_if(study.curves.begin(), study.curves.end(), [&](const MethodCurve& any) {
       return std::find(any.runs.begin(), any.runs.end(), k) != any.runs.end();
     });
     lines.push_back({fmt::format("  {:<{}}  {:<20}{:>10}   {:.2g} m", curve->label, label_width(study),

@@ -16,7 +16,7 @@ std::vector<double> every(double interval, int count) {
   return times;
 }
 
-/// A given run whose tip.y is t⁴, whose fourth divided difference is 1 everywhere.
+/// An external run whose tip.y is t⁴, whose fourth divided difference is 1 everywhere.
 GivenRun quartic(const std::vector<double>& times) {
   GivenRun run;
   run.times = times;

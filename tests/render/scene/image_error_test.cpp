@@ -29,9 +29,9 @@ Trajectory moved(Trajectory run, const Vec3& by) {
   return run;
 }
 
-TEST(PictureGauge, AKnownDisplacementHasAsManyPixelsAsTheCameraGivesIt) {
+TEST(ImageErrorGauge, AKnownDisplacementHasAsManyPixelsAsTheCameraGivesIt) {
   const Trajectory truth = swing();
-  const PictureGauge gauge(truth, input_along_z());
+  const ImageErrorGauge gauge(truth, input_along_z());
   for (const auto& [by, pixels] : std::vector<std::pair<Vec3, double>>{
            {{0, 0, 0}, 0}, {{0.004, 0, 0}, 1}, {{0.012, -0.016, 0}, 5}, {{0, 0, 0.3}, 0}}) {
     const std::vector<double> distances = gauge.distances(moved(truth, by));
@@ -40,30 +40,30 @@ TEST(PictureGauge, AKnownDisplacementHasAsManyPixelsAsTheCameraGivesIt) {
   }
 }
 
-TEST(PictureGauge, TheGreatestDistanceAlongTheCableCountsInItsFrame) {
+TEST(ImageErrorGauge, TheGreatestDistanceAlongTheCableCountsInItsFrame) {
   const Trajectory truth = swing();
   Trajectory drawn = truth;
   // The middle node at 0.4 s, which is frame 10.
   drawn.q[20].segment<3>(12) += Vec3(0, 0.02, 0);
-  const std::vector<double> distances = PictureGauge(truth, input_along_z()).distances(drawn);
+  const std::vector<double> distances = ImageErrorGauge(truth, input_along_z()).distances(drawn);
   for (std::size_t k = 0; k < distances.size(); ++k) EXPECT_NEAR(distances[k], k == 10 ? 5 : 0, 1e-9) << k;
 }
 
-TEST(PictureGauge, WhatIsNotInThePictureDoesNotCount) {
+TEST(ImageErrorGauge, WhatIsNotInThePictureDoesNotCount) {
   const Trajectory truth = swing();
   SceneInput input = input_along_z();
   input.spec.camera->eye = {10, 0, 5};
   input.spec.camera->target = {10, 0, 0};
-  for (const double distance : PictureGauge(truth, input).distances(moved(truth, {0.1, 0, 0})))
+  for (const double distance : ImageErrorGauge(truth, input).distances(moved(truth, {0.1, 0, 0})))
     EXPECT_EQ(distance, 0);
   // Into the picture.
-  const std::vector<double> into = PictureGauge(truth, input).distances(moved(truth, {10, 0, 0}));
+  const std::vector<double> into = ImageErrorGauge(truth, input).distances(moved(truth, {10, 0, 0}));
   EXPECT_NEAR(*std::max_element(into.begin(), into.end()), 2500, 1e-6);
 }
 
-TEST(PictureGauge, ARunThatEndsEarlyOrCannotBeDrawnIsInfinitelyFarOff) {
+TEST(ImageErrorGauge, ARunThatEndsEarlyOrCannotBeDrawnIsInfinitelyFarOff) {
   const Trajectory truth = swing();
-  const PictureGauge gauge(truth, input_along_z());
+  const ImageErrorGauge gauge(truth, input_along_z());
   const std::vector<double> distances = gauge.distances(swing(51));
   EXPECT_EQ(distances[25], 0);
   EXPECT_TRUE(std::isinf(distances[26]));
@@ -72,7 +72,7 @@ TEST(PictureGauge, ARunThatEndsEarlyOrCannotBeDrawnIsInfinitelyFarOff) {
   for (const double distance : gauge.distances(broken)) EXPECT_TRUE(std::isinf(distance));
 }
 
-TEST(PictureGauge, MeshesAreComparedAtEqualArcLength) {
+TEST(ImageErrorGauge, MeshesAreComparedAtEqualArcLength) {
   const Trajectory truth = swing();
   // A straight cable of one and of three elements is the same line.
   const auto straight = [&](int elements) {
@@ -88,7 +88,7 @@ TEST(PictureGauge, MeshesAreComparedAtEqualArcLength) {
     return run;
   };
   const Trajectory one = straight(1);
-  for (const double distance : PictureGauge(one, input_along_z()).distances(straight(3)))
+  for (const double distance : ImageErrorGauge(one, input_along_z()).distances(straight(3)))
     EXPECT_NEAR(distance, 0, 1e-9);
 }
 

@@ -145,7 +145,7 @@ TEST(BringYourOwn, CheckSaysWhatTheFileHolds) {
   const TemporaryFolder folder;
   const Ended ended = plumb_in(folder.path(), {"check", folder_of_cases + "bring_your_own.toml"});
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("a given run to 2 s, 6 criteria"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("an external run to 2 s, 6 criteria"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("springs: 12 columns of tests/independent_pendulum.py"), std::string::npos)
       << ended.out;
   EXPECT_NE(ended.out.find("251 rows from 0 to 2 s"), std::string::npos) << ended.out;

@@ -10,7 +10,8 @@ namespace coverage_program_test {
 
 using Json = nlohmann::json;
 
-/// Runs on files of its own: a given run g.csv, tip.x = 1 + t every 0.1 s to 2 s, against 1 + t every 0.5 s.
+/// Runs on files of its own: an external run g.csv, tip.x = 1 + t every 0.1 s to 2 s, against 1 + t every 0.5
+/// s.
 class CoverageProgram : public ::testing::Test {
  protected:
   CoverageProgram() {

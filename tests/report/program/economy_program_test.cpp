@@ -136,11 +136,11 @@ Economy small_economy() {
   economy.safe_work = 1e9;
   economy.search_work = 1e7;
   for (const auto& [elements, estimate] : std::vector<std::pair<int, double>>{{4, 8.1}, {16, 0.12}}) {
-    TriedRung tried;
-    tried.rung.cable.elements = elements;
-    tried.rung.cable.second_moment = 1e-9;
-    tried.rung.method.name = "velocity-verlet";
-    tried.rung.method.step = 1e-4;
+    TriedCandidate tried;
+    tried.candidate.cable.elements = elements;
+    tried.candidate.cable.second_moment = 1e-9;
+    tried.candidate.method.name = "velocity-verlet";
+    tried.candidate.method.step = 1e-4;
     tried.outcome = Outcome::completed;
     tried.seconds = 1e-3 * elements;
     tried.estimate = estimate;
@@ -161,7 +161,7 @@ TEST(EconomyText, SaysWhatTheSceneNeedsAndHowFarTheCasesMeshIsOff) {
       "elements of the case are off by 8.1 px (tolerance 0.5 px).");
 }
 
-TEST(EconomyText, ExplainsEveryRungInOrder) {
+TEST(EconomyText, ExplainsEveryCandidateInOrder) {
   const std::vector<std::string> lines = explain(small_economy());
   ASSERT_GE(lines.size(), 3U);
   EXPECT_TRUE(lines[0].starts_with("  cable of 4 elements, velocity-verlet")) << lines[0];
@@ -182,7 +182,7 @@ TEST(EconomyText, TheVerdictIsOfTheErrorWithTheSafetyFactor) {
   EXPECT_EQ(economy_verdict(economy).status, VerdictStatus::not_run);
 }
 
-TEST(EconomyFigure, HasTheToleranceTheRungsAndTheChosenOne) {
+TEST(EconomyFigure, HasTheToleranceTheCandidatesAndTheChosenOne) {
   const Figure figure = economy_figure(small_economy());
   const Panel& panel = figure.plot.panels.at(0);
   ASSERT_EQ(panel.series.size(), 2U);

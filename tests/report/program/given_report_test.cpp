@@ -43,7 +43,7 @@ TEST(GivenReport, ATrajectoryOnItsOwnTimesIsHeldAgainstAReferenceAndSaysHowItIsI
       << verdict.message;
   EXPECT_NE(verdict.criterion.find("|chrono − published|"), std::string::npos) << verdict.criterion;
   EXPECT_EQ(results.outcome, Outcome::accurate);
-  EXPECT_NE(headline(results).find("the given run chrono is at most"), std::string::npos)
+  EXPECT_NE(headline(results).find("the external run chrono is at most"), std::string::npos)
       << headline(results);
 }
 

@@ -27,9 +27,9 @@ class FromDocument : public testing::Test {
     Options options;
     options.from = (folder_ / "run/results.json").string();
     options.output = (folder_ / "made").string();
-    Talk talk(false, true);
+    Console console(false, true);
     try {
-      report_from_document(options, talk);
+      report_from_document(options, console);
     } catch (const InputError& error) {
       return error.what();
     }

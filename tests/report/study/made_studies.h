@@ -61,7 +61,7 @@ source = "a closed form"
   return {loaded, {"Made", {variant}, {{"program", "test"}}}};
 }
 
-/// One picture with one rung, and one random scene.
+/// One picture with one candidate, and one random scene.
 inline EconomyStudy made_economy_study() {
   EconomyStudy study;
   study.loaded = tiny_sweep_case();
@@ -69,13 +69,13 @@ inline EconomyStudy made_economy_study() {
   study.reference = "one";
   SceneNeed need;
   need.name = "320 by 180";
-  TriedRung rung;
-  rung.rung.cable = study.loaded.spec.cable;
-  rung.rung.method = study.loaded.spec.method;
-  rung.outcome = Outcome::completed;
-  rung.estimate = 0.25;
-  rung.why = "the cheapest";
-  need.economy.tried = {rung};
+  TriedCandidate candidate;
+  candidate.candidate.cable = study.loaded.spec.cable;
+  candidate.candidate.method = study.loaded.spec.method;
+  candidate.outcome = Outcome::completed;
+  candidate.estimate = 0.25;
+  candidate.why = "the cheapest";
+  need.economy.tried = {candidate};
   need.economy.chosen = 0;
   study.needs = {need};
   study.scenes = {{1, {"scene.size=[320,180]"}, "rk4", 0.5, true, 0.1, 0.05, 0.01, 0.001, 0.1, ""}};

@@ -14,7 +14,7 @@
 #include "tests/engine/study/economy/tips_along_z.h"
 
 namespace plumb {
-namespace choose_rung_test {
+namespace choose_candidate_test {
 
 Case scene_of(double end, double tolerance) {
   Case spec = pendulum(5, 4);
@@ -25,91 +25,94 @@ Case scene_of(double end, double tolerance) {
 }
 
 /// The truth: twice as fine as anything that the tests choose.
-double true_error(const Case& spec, const Rung& rung, const MakeGauge& gauge) {
-  Rung fine = cable_rung(spec, 32);
+double true_error(const Case& spec, const Candidate& candidate, const MakeGauge& gauge) {
+  Candidate fine = cable_candidate(spec, 32);
   fine.method = plain_method(*find_method("rk4"));
-  fine.method.step = *cable_rung(spec, 32).method.step;
-  const Trajectory truth = integrate(with_rung(spec, fine));
-  const std::vector<double> errors = gauge(truth)(integrate(with_rung(spec, rung)));
+  fine.method.step = *cable_candidate(spec, 32).method.step;
+  const Trajectory truth = integrate(with_candidate(spec, fine));
+  const std::vector<double> errors = gauge(truth)(integrate(with_candidate(spec, candidate)));
   return *std::max_element(errors.begin(), errors.end());
 }
 
-TEST(ChooseRung, TakesFinerRungsForFinerPicturesAndMeetsTheToleranceWithEach) {
+TEST(ChooseCandidate, TakesFinerCandidatesForFinerPicturesAndMeetsTheToleranceWithEach) {
   const Case spec = scene_of(0.6, 0.5);
   double work = 0;
   for (const double pixels_per_metre : {50.0, 400.0, 3000.0}) {
     const MakeGauge gauge = tips_along_z(pixels_per_metre, 25);
-    const Economy economy = choose_rung(spec, gauge);
+    const Economy economy = choose_candidate(spec, gauge);
     ASSERT_TRUE(economy.holds) << economy.uncertain;
-    const TriedRung& choice = *economy.choice();
-    const double error = true_error(spec, choice.rung, gauge);
-    EXPECT_LE(error, 0.5) << in_words(choice.rung);
-    EXPECT_LE(error, economy_safety * choice.estimate) << in_words(choice.rung);
-    EXPECT_GE(choice.rung.work, work) << in_words(choice.rung);
+    const TriedCandidate& choice = *economy.choice();
+    const double error = true_error(spec, choice.candidate, gauge);
+    EXPECT_LE(error, 0.5) << in_words(choice.candidate);
+    EXPECT_LE(error, economy_safety * choice.estimate) << in_words(choice.candidate);
+    EXPECT_GE(choice.candidate.work, work) << in_words(choice.candidate);
     EXPECT_LT(economy.search_work, economy.safe_work);
-    work = choice.rung.work;
+    work = choice.candidate.work;
   }
 }
 
-TEST(ChooseRung, TakesTheCheapestThatHoldsOfAllThatItTried) {
-  const Economy economy = choose_rung(scene_of(0.6, 0.5), tips_along_z(400, 25));
+TEST(ChooseCandidate, TakesTheCheapestThatHoldsOfAllThatItTried) {
+  const Economy economy = choose_candidate(scene_of(0.6, 0.5), tips_along_z(400, 25));
   for (int k = 0; k < economy.chosen; ++k) {
-    const TriedRung& cheaper = economy.tried[static_cast<std::size_t>(k)];
-    EXPECT_LE(cheaper.rung.work, economy.choice()->rung.work);
+    const TriedCandidate& cheaper = economy.tried[static_cast<std::size_t>(k)];
+    EXPECT_LE(cheaper.candidate.work, economy.choice()->candidate.work);
     EXPECT_TRUE(cheaper.why.starts_with("left: ")) << cheaper.why;
     if (cheaper.estimate >= 0) {
-      EXPECT_GT(economy_safety * cheaper.estimate, 0.5) << in_words(cheaper.rung);
+      EXPECT_GT(economy_safety * cheaper.estimate, 0.5) << in_words(cheaper.candidate);
     }
   }
 }
 
-TEST(ChooseRung, ChoosesTheSameEveryTime) {
+TEST(ChooseCandidate, ChoosesTheSameEveryTime) {
   const Case spec = scene_of(0.4, 0.5);
-  const Economy a = choose_rung(spec, tips_along_z(400, 25)), b = choose_rung(spec, tips_along_z(400, 25));
+  const Economy a = choose_candidate(spec, tips_along_z(400, 25)),
+                b = choose_candidate(spec, tips_along_z(400, 25));
   ASSERT_EQ(a.tried.size(), b.tried.size());
   EXPECT_EQ(a.chosen, b.chosen);
   for (std::size_t k = 0; k < a.tried.size(); ++k) {
-    EXPECT_EQ(in_words(a.tried[k].rung), in_words(b.tried[k].rung));
+    EXPECT_EQ(in_words(a.tried[k].candidate), in_words(b.tried[k].candidate));
     EXPECT_EQ(a.tried[k].estimate, b.tried[k].estimate);
   }
 }
 
-TEST(ChooseRung, TakesTheRigidRodWhereTheCableHardlyBends) {
+TEST(ChooseCandidate, TakesTheRigidRodWhereTheCableHardlyBends) {
   Case spec = scene_of(0.4, 0.5);
   spec.cable.youngs_modulus = 1e9;
   spec.cable.second_moment = 1e-8;
-  const Economy economy = choose_rung(spec, tips_along_z(300, 25));
+  const Economy economy = choose_candidate(spec, tips_along_z(300, 25));
   ASSERT_TRUE(economy.holds) << economy.uncertain;
-  EXPECT_EQ(economy.choice()->rung.cable.model, CableModel::rigid) << in_words(economy.choice()->rung);
+  EXPECT_EQ(economy.choice()->candidate.cable.model, CableModel::rigid)
+      << in_words(economy.choice()->candidate);
   EXPECT_EQ(economy.chosen, 0);
 }
 
-TEST(ChooseRung, TakesNoRodWhereThereIsNone) {
+TEST(ChooseCandidate, TakesNoRodWhereThereIsNone) {
   Case spec = scene_of(0.2, 50);
   for (Support& end : {std::ref(spec.supports.last), std::ref(spec.supports.first)}) {
     end = Support::clamped;
-    for (const Rung& rung : ladder(spec, 1e12)) EXPECT_NE(rung.cable.model, CableModel::rigid);
+    for (const Candidate& candidate : all_candidates(spec, 1e12))
+      EXPECT_NE(candidate.cable.model, CableModel::rigid);
   }
 }
 
-TEST(ChooseRung, SaysWhatIsUncertainWhereNothingHolds) {
-  const Economy economy = choose_rung(scene_of(0.3, 1e-9), tips_along_z(4000, 25));
+TEST(ChooseCandidate, SaysWhatIsUncertainWhereNothingHolds) {
+  const Economy economy = choose_candidate(scene_of(0.3, 1e-9), tips_along_z(4000, 25));
   EXPECT_FALSE(economy.holds);
   ASSERT_NE(economy.choice(), nullptr);
   EXPECT_NE(economy.uncertain.find("where the cable is"), std::string::npos) << economy.uncertain;
   EXPECT_LE(economy.search_work, economy.safe_work);
 }
 
-TEST(ChooseRung, RefusesWhatDoesNotMoveOrIsNoCable) {
+TEST(ChooseCandidate, RefusesWhatDoesNotMoveOrIsNoCable) {
   Case spec = scene_of(0.3, 0.5);
   spec.method.name = "statics";
-  EXPECT_THROW(choose_rung(spec, tips_along_z(100, 25)), InputError);
+  EXPECT_THROW(choose_candidate(spec, tips_along_z(100, 25)), InputError);
   spec = scene_of(0.3, 0.5);
   spec.cable.model = CableModel::chain;
-  EXPECT_THROW(choose_rung(spec, tips_along_z(100, 25)), InputError);
+  EXPECT_THROW(choose_candidate(spec, tips_along_z(100, 25)), InputError);
 }
 
-TEST(ChooseRung, OutputsAreWhereFramesAreAndWhereReferencesNeedThem) {
+TEST(ChooseCandidate, OutputsAreWhereFramesAreAndWhereReferencesNeedThem) {
   Case spec = scene_of(1, 0.5);
   spec.time.output_interval = 0.01;
   EXPECT_EQ(scene_output_interval(spec), 0.04);
@@ -119,13 +122,14 @@ TEST(ChooseRung, OutputsAreWhereFramesAreAndWhereReferencesNeedThem) {
   EXPECT_NEAR(scene_output_interval(spec), 0.02, 1e-15);
 }
 
-TEST(ChooseRung, TheOverridesOfARungMakeItOfTheFile) {
+TEST(ChooseCandidate, TheOverridesOfARungMakeItOfTheFile) {
   const LoadedCase loaded = load_case(small_case());
-  for (const Rung& rung : ladder(loaded.spec, 1e9)) {
+  for (const Candidate& candidate : all_candidates(loaded.spec, 1e9)) {
     CaseSource source = small_case();
-    for (const std::string& text : rung_overrides(loaded.spec, rung)) source.overrides.push_back(text);
-    const Case made = load_case(source).spec, meant = with_rung(loaded.spec, rung);
-    EXPECT_EQ(made.method, meant.method) << in_words(rung);
+    for (const std::string& text : candidate_overrides(loaded.spec, candidate))
+      source.overrides.push_back(text);
+    const Case made = load_case(source).spec, meant = with_candidate(loaded.spec, candidate);
+    EXPECT_EQ(made.method, meant.method) << in_words(candidate);
     EXPECT_EQ(made.cable.elements, meant.cable.elements);
     EXPECT_EQ(made.cable.model, meant.cable.model);
     EXPECT_EQ(made.cable.second_moment, meant.cable.second_moment);
@@ -134,7 +138,7 @@ TEST(ChooseRung, TheOverridesOfARungMakeItOfTheFile) {
 }
 
 TEST(Choice, IsReadBackForTheSameCaseAndNoOther) {
-  const Economy economy = choose_rung(scene_of(0.2, 0.5), tips_along_z(400, 25));
+  const Economy economy = choose_candidate(scene_of(0.2, 0.5), tips_along_z(400, 25));
   const CaseSource source = small_case();
   CaseSource made = source;
   made.overrides = {"cable.elements=3"};
@@ -142,8 +146,8 @@ TEST(Choice, IsReadBackForTheSameCaseAndNoOther) {
   const std::optional<Economy> again = decode_choice(text, choice_key(source));
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->chosen, economy.chosen);
-  EXPECT_EQ(again->choice()->rung.cable, economy.choice()->rung.cable);
-  EXPECT_EQ(again->choice()->rung.method, economy.choice()->rung.method);
+  EXPECT_EQ(again->choice()->candidate.cable, economy.choice()->candidate.cable);
+  EXPECT_EQ(again->choice()->candidate.method, economy.choice()->candidate.method);
   EXPECT_EQ(economy_json(*again), economy_json(economy));
   EXPECT_TRUE(decode_choice_made(text, made).has_value());
   EXPECT_FALSE(decode_choice_made(text, source).has_value());
@@ -162,5 +166,5 @@ TEST(RandomScenes, DependOnTheSeedAndTheirNumberAlone) {
   EXPECT_NE(scene_overrides(spec, 1, 7), scene_overrides(spec, 2, 7));
 }
 
-}  // namespace choose_rung_test
+}  // namespace choose_candidate_test
 }  // namespace plumb

@@ -56,7 +56,7 @@ TEST(NodeDistance, OfWhatIsNotANumberIsBeyondAll) {
     const Trajectory run = displaced(1, 7, bad);
     EXPECT_TRUE(std::isinf(node_distance(run, at_rest(), 1)));
     EXPECT_EQ(together_until(run, at_rest(), 1e300), 0);
-    EXPECT_EQ(judge(run, at_rest(), 1e300, 1).outcome, Outcome::inaccurate);
+    EXPECT_EQ(classify_outcome(run, at_rest(), 1e300, 1).outcome, Outcome::inaccurate);
   }
 }
 
@@ -68,18 +68,19 @@ TEST(NodeDistance, OfOtherTimesOrMeshesIsNone) {
   for (Eigen::VectorXd& q : other.q) q.conservativeResize(12);
   EXPECT_EQ(node_distance(other, at_rest(), 1), -1);
   EXPECT_EQ(node_distance(at_rest(), Trajectory{}, 1), -1);
-  EXPECT_EQ(judge(at_rest(), Trajectory{}, 1, 1).outcome, Outcome::completed)
+  EXPECT_EQ(classify_outcome(at_rest(), Trajectory{}, 1, 1).outcome, Outcome::completed)
       << "without a reference nothing is known of a run";
 }
 
-TEST(Judge, ARunDisplacedBeyondToleranceIsNotAccurate) {
+TEST(ClassifyOutcome, ARunDisplacedBeyondToleranceIsNotAccurate) {
   constexpr double tolerance = 1e-3;
-  EXPECT_EQ(judge(at_rest(), at_rest(), tolerance, 1).outcome, Outcome::accurate);
+  EXPECT_EQ(classify_outcome(at_rest(), at_rest(), tolerance, 1).outcome, Outcome::accurate);
   for (const std::size_t output : {0U, 2U, 4U})
     for (const Eigen::Index coordinate : {1, 7, 13}) {
-      EXPECT_EQ(judge(displaced(output, coordinate, 0.999e-3), at_rest(), tolerance, 1).outcome,
+      EXPECT_EQ(classify_outcome(displaced(output, coordinate, 0.999e-3), at_rest(), tolerance, 1).outcome,
                 Outcome::accurate);
-      const Judgement judged = judge(displaced(output, coordinate, 1.001e-3), at_rest(), tolerance, 1);
+      const Judgement judged =
+          classify_outcome(displaced(output, coordinate, 1.001e-3), at_rest(), tolerance, 1);
       EXPECT_EQ(judged.outcome, Outcome::inaccurate) << "output " << output << ", coordinate " << coordinate;
       EXPECT_NEAR(judged.error, 1.001e-3, 1e-12);
     }

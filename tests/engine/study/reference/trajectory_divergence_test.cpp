@@ -10,57 +10,57 @@ namespace separation_test {
 
 constexpr double tolerance = 1e-3;
 
-double distance_at(const Separation& separation, double t) {
-  for (std::size_t k = 0; k < separation.times.size(); ++k)
-    if (std::abs(separation.times[k] - t) < 1e-9) return separation.distances[k];
+double distance_at(const TrajectoryDivergence& divergence, double t) {
+  for (std::size_t k = 0; k < divergence.times.size(); ++k)
+    if (std::abs(divergence.times[k] - t) < 1e-9) return divergence.distances[k];
   ADD_FAILURE() << "no output at " << t << " s";
   return -1;
 }
 
 // Independent programs: two runs of the stiff pendulum by rk4 agree to 8e-11 m at 1 s and are 1.4e-2 m apart
 // within 2 s.
-TEST(Separation, OfTheStiffPendulumIsFast) {
-  const Separation separation = plumb::separation(pendulum(1, 4), 1, tolerance);
-  EXPECT_EQ(separation.parameter, 1);
-  EXPECT_EQ(separation.elements, 4);
-  EXPECT_NEAR(separation.distances.front(), start_distance, 1e-3 * start_distance);
-  EXPECT_LT(distance_at(separation, 1), 1e-5);
-  EXPECT_GT(separation.distances.back(), tolerance);
-  EXPECT_FALSE(separation.beyond_end);
-  EXPECT_GT(separation.horizon, 1);
-  EXPECT_LT(separation.horizon, 2);
-  EXPECT_GT(separation.exponent, 5);
-  EXPECT_NE(separation.in_words.find("only energies"), std::string::npos) << separation.in_words;
+TEST(TrajectoryDivergence, OfTheStiffPendulumIsFast) {
+  const TrajectoryDivergence divergence = plumb::divergence(pendulum(1, 4), 1, tolerance);
+  EXPECT_EQ(divergence.parameter, 1);
+  EXPECT_EQ(divergence.elements, 4);
+  EXPECT_NEAR(divergence.distances.front(), start_distance, 1e-3 * start_distance);
+  EXPECT_LT(distance_at(divergence, 1), 1e-5);
+  EXPECT_GT(divergence.distances.back(), tolerance);
+  EXPECT_FALSE(divergence.beyond_end);
+  EXPECT_GT(divergence.horizon, 1);
+  EXPECT_LT(divergence.horizon, 2);
+  EXPECT_GT(divergence.exponent, 5);
+  EXPECT_NE(divergence.in_words.find("only energies"), std::string::npos) << divergence.in_words;
 }
 
-TEST(Separation, OfTheSoftPendulumIsSlow) {
-  const Separation separation = plumb::separation(pendulum(5, 4), 5, tolerance);
-  EXPECT_TRUE(separation.beyond_end);
-  EXPECT_EQ(separation.horizon, 2);
-  EXPECT_LT(separation.distances.back(), 100 * start_distance);
-  EXPECT_LT(separation.exponent, 3);
-  EXPECT_NE(separation.in_words.find("to the end"), std::string::npos) << separation.in_words;
+TEST(TrajectoryDivergence, OfTheSoftPendulumIsSlow) {
+  const TrajectoryDivergence divergence = plumb::divergence(pendulum(5, 4), 5, tolerance);
+  EXPECT_TRUE(divergence.beyond_end);
+  EXPECT_EQ(divergence.horizon, 2);
+  EXPECT_LT(divergence.distances.back(), 100 * start_distance);
+  EXPECT_LT(divergence.exponent, 3);
+  EXPECT_NE(divergence.in_words.find("to the end"), std::string::npos) << divergence.in_words;
 }
 
-TEST(Separation, OfARigidTurnWithoutLoadIsNoneButTheDriftOfItsSpeed) {
+TEST(TrajectoryDivergence, OfARigidTurnWithoutLoadIsNoneButTheDriftOfItsSpeed) {
   Case spec = pendulum(20, 2);
   spec.loads.gravity.setZero();
   spec.start.angular_velocity.setZero();
   spec.time = {20, 0.1};
-  const Separation separation = plumb::separation(spec, 20, tolerance);
-  EXPECT_TRUE(separation.beyond_end);
-  EXPECT_LT(std::abs(separation.exponent), 0.2) << separation.in_words;
+  const TrajectoryDivergence divergence = plumb::divergence(spec, 20, tolerance);
+  EXPECT_TRUE(divergence.beyond_end);
+  EXPECT_LT(std::abs(divergence.exponent), 0.2) << divergence.in_words;
 }
 
-TEST(Separation, HasAShorterHorizonForATighterToleranceAndAWiderStart) {
+TEST(TrajectoryDivergence, HasAShorterHorizonForATighterToleranceAndAWiderStart) {
   const Case spec = pendulum(1, 4);
-  const double horizon = separation(spec, 1, 1e-3).horizon;
-  EXPECT_LT(separation(spec, 1, 1e-6).horizon, horizon);
-  EXPECT_LT(separation(spec, 1, 1e-3, 1e-6).horizon, horizon);
+  const double horizon = divergence(spec, 1, 1e-3).horizon;
+  EXPECT_LT(divergence(spec, 1, 1e-6).horizon, horizon);
+  EXPECT_LT(divergence(spec, 1, 1e-3, 1e-6).horizon, horizon);
 }
 
 // What the horizon claims, by another method than the one that found it: the same equations with two steps.
-TEST(Separation, IsThatOfTwoRunsByAnotherMethod) {
+TEST(TrajectoryDivergence, IsThatOfTwoRunsByAnotherMethod) {
   const TimeSpec time{2, 0.02};
   const Trajectory one = run(pendulum(1, 4), method("rk4", 5e-5), time);
   const Trajectory other = run(pendulum(1, 4), method("rk4", 4e-5), time);
@@ -71,12 +71,12 @@ TEST(Separation, IsThatOfTwoRunsByAnotherMethod) {
             1e-6);
 }
 
-TEST(Separation, ThatCannotBeFollowedSaysSo) {
+TEST(TrajectoryDivergence, ThatCannotBeFollowedSaysSo) {
   Case spec = pendulum(5, 4);
   // The slopes of a cable that turns so fast that it is torn.
   spec.start.angular_velocity = {0, 1e6, 0};
-  const Separation separation = plumb::separation(spec, 5, tolerance);
-  EXPECT_FALSE(separation.beyond_end) << separation.in_words;
+  const TrajectoryDivergence divergence = plumb::divergence(spec, 5, tolerance);
+  EXPECT_FALSE(divergence.beyond_end) << divergence.in_words;
 }
 
 }  // namespace separation_test

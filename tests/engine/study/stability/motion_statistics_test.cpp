@@ -35,7 +35,7 @@ TEST(MotionStatistics, OfNeighboursThatPartedAgreeAndOfRegularMotionsThereAreNon
   Case spec = pendulum(1, 2);
   spec.time = {4, 0.02};
   const ReferenceMotion parting = reference_motion(spec, 1, 1e-2, 1);
-  ASSERT_FALSE(parting.separation.beyond_end);
+  ASSERT_FALSE(parting.divergence.beyond_end);
   const auto variants = method_variants({"energy-momentum"});
   const std::vector<MotionStatistics> found = motion_statistics({&parting}, variants, 2e-3, 20);
   ASSERT_EQ(found.size(), 3U);

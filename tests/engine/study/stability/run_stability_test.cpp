@@ -143,10 +143,10 @@ TEST(StabilityRun, EnergiesReferencesAndSeparationsAreThere) {
     EXPECT_EQ(history.change.front(), 0);
   }
   ASSERT_EQ(study.references.size(), 3U);
-  ASSERT_EQ(study.separations.size(), 3U);
+  ASSERT_EQ(study.divergences.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(study.references[k].parameter, study.separations[k].parameter);
-    EXPECT_EQ(study.references[k].elements, study.separations[k].elements);
+    EXPECT_EQ(study.references[k].parameter, study.divergences[k].parameter);
+    EXPECT_EQ(study.references[k].elements, study.divergences[k].elements);
     EXPECT_EQ(study.references[k].trusted_until, study.references[k].duration);
     EXPECT_LT(study.references[k].agreement, 1e-3 * study.tolerance);
   }

@@ -45,7 +45,7 @@ class RandomStability {
     for (int k = whole() % 4; k > 0; --k)
       study.amplifications.push_back({text(), number(), number(), number()});
     for (int k = whole() % 4; k > 0; --k)
-      study.separations.push_back(
+      study.divergences.push_back(
           {number(), whole(), {number()}, {number()}, number(), number(), whole() % 2 == 0, text()});
     for (int k = whole() % 4; k > 0; --k)
       study.references.push_back(

@@ -45,7 +45,7 @@ TEST(Sweep, EveryCaseIsJudgedFiniteAndWithoutFault) {
 
 TEST(Sweep, AJudgeThatCallsEveryRunAccurateIsFoundOut) {
   const auto blind = [](const Trajectory& run, const Trajectory& reference, double, double horizon) {
-    return judge(run, reference, std::numeric_limits<double>::max(), horizon);
+    return classify_outcome(run, reference, std::numeric_limits<double>::max(), horizon);
   };
   const LoadedCase loaded = tiny_sweep_case({"study.sweep.cases=40"});
   const Sweep honest = run_sweep(loaded, InMemory());
@@ -65,8 +65,9 @@ TEST(Sweep, AJudgeThatLooksAtTheWrongRunIsFoundOut) {
   // As one would that compared the reference with itself.
   const auto mistaken = [](const Trajectory& run, const Trajectory& reference, double tolerance,
                            double horizon) {
-    Judgement judgement = judge(run, reference, tolerance, horizon);
-    if (run.outcome == Outcome::completed) judgement = judge(reference, reference, tolerance, horizon);
+    Judgement judgement = classify_outcome(run, reference, tolerance, horizon);
+    if (run.outcome == Outcome::completed)
+      judgement = classify_outcome(reference, reference, tolerance, horizon);
     return judgement;
   };
   EXPECT_GT(wrongly_accurate(run_sweep(tiny_sweep_case(), InMemory(), mistaken)), 0);

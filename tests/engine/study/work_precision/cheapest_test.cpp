@@ -7,15 +7,16 @@
 namespace plumb {
 namespace study_cheapest_test {
 
-StudyRun with_step(double step) {
-  StudyRun run;
+WorkPrecisionRun with_step(double step) {
+  WorkPrecisionRun run;
   run.method.step = step;
   run.elements = 4;
   return run;
 }
 
 TEST(StudyCheapest, EachDecadeNamesTheQuickestRunThatStaysBelowIt) {
-  const std::vector<StudyRun> runs{with_step(1e-2), with_step(1e-3), with_step(5e-4), with_step(1e-4)};
+  const std::vector<WorkPrecisionRun> runs{with_step(1e-2), with_step(1e-3), with_step(5e-4),
+                                           with_step(1e-4)};
   const std::vector<WorkError> points{{1e-4, 0.05}, {1e-3, 3e-3}, {4.1e-4, 4e-5}, {2, 5e-7}};
   const auto cheapest = cheapest_runs(runs, {"a", "b", "rk4", "c"}, points, 0, 0.1);
   ASSERT_EQ(cheapest.size(), 5U);
@@ -26,7 +27,7 @@ TEST(StudyCheapest, EachDecadeNamesTheQuickestRunThatStaysBelowIt) {
 }
 
 TEST(StudyCheapest, NothingIsSaidBelowTheFloorOrWhereNothingWasTimed) {
-  const std::vector<StudyRun> runs{with_step(1e-2)};
+  const std::vector<WorkPrecisionRun> runs{with_step(1e-2)};
   EXPECT_EQ(cheapest_runs(runs, {"a"}, {{1, 1e-9}}, 1e-5, 1).size(), 5U) << "1e-1 to 1e-5";
   EXPECT_TRUE(cheapest_runs(runs, {"a"}, {{-1, 1e-9}}, 0, 1).empty());
   EXPECT_TRUE(cheapest_runs(runs, {"a"}, {{1, -1}}, 0, 1).empty());

@@ -40,7 +40,7 @@ WorkPrecision run_with(Journal& journal) {
   return run_work_precision(tiny_study_case().spec, false, runner);
 }
 
-TEST(StudyRun, FindsErrorsOrdersFrontsAndTheMeshConvergence) {
+TEST(WorkPrecisionRun, FindsErrorsOrdersFrontsAndTheMeshConvergence) {
   const WorkPrecision study = run_work_precision(tiny_study_case().spec, false, InMemory());
   EXPECT_EQ(study.fixed_elements, 2);
   ASSERT_EQ(study.mesh_references.size(), 2U);
@@ -49,13 +49,13 @@ TEST(StudyRun, FindsErrorsOrdersFrontsAndTheMeshConvergence) {
   ASSERT_TRUE(study.mesh.has_value());
   EXPECT_EQ(study.mesh->elements, (std::vector<int>{2, 4, 8}));
   EXPECT_EQ(study.mesh->distance.back(), 0);
-  for (const StudyCurve& curve : study.curves) {
+  for (const MethodCurve& curve : study.curves) {
     if (curve.elements != 2 || !curve.label.ends_with("fixed step")) continue;
     EXPECT_NEAR(curve.observed.order, 2, 0.3) << curve.label;
   }
   EXPECT_FALSE(study.time_front.empty());
   EXPECT_FALSE(study.time_cheapest.empty());
-  for (const StudyRun& run : study.runs) {
+  for (const WorkPrecisionRun& run : study.runs) {
     EXPECT_NE(run.outcome, Outcome::not_run);
     EXPECT_GT(run.work_seconds(), 0);
     EXPECT_EQ(run.completed(), run.time_error.tip_max >= 0) << run.message;
@@ -68,11 +68,11 @@ TEST(StudyRun, FindsErrorsOrdersFrontsAndTheMeshConvergence) {
   for (const std::size_t k : study.time_front) EXPECT_EQ(study.runs[k].elements, 2);
 }
 
-TEST(StudyRun, RunsThatFailOrRunOutOfTimeAreKeptWithTheirReason) {
+TEST(WorkPrecisionRun, RunsThatFailOrRunOutOfTimeAreKeptWithTheirReason) {
   LoadedCase loaded = tiny_study_case();
   loaded.spec.work_precision->largest_step = 1e-2;
   const WorkPrecision failing = run_work_precision(loaded.spec, false, InMemory());
-  const StudyRun& coarse = failing.runs[failing.curves[0].runs[0]];
+  const WorkPrecisionRun& coarse = failing.runs[failing.curves[0].runs[0]];
   EXPECT_EQ(coarse.method.name, "rk4");
   EXPECT_TRUE(coarse.outcome == Outcome::unstable || coarse.outcome == Outcome::diverged ||
               coarse.outcome == Outcome::singular)
@@ -82,8 +82,8 @@ TEST(StudyRun, RunsThatFailOrRunOutOfTimeAreKeptWithTheirReason) {
   loaded = tiny_study_case();
   loaded.spec.work_precision->full.time_limit = 1e-9;
   const WorkPrecision late = run_work_precision(loaded.spec, false, InMemory());
-  const StudyCurve& last = late.curves.back();
-  const StudyRun& run = late.runs[last.runs.back()];
+  const MethodCurve& last = late.curves.back();
+  const WorkPrecisionRun& run = late.runs[last.runs.back()];
   EXPECT_EQ(run.outcome, Outcome::out_of_time);
   EXPECT_NE(run.message.find("the time allowed, 1e-09 s, is over"), std::string::npos) << run.message;
   EXPECT_LT(last.runs.size(), 5U);
@@ -91,7 +91,7 @@ TEST(StudyRun, RunsThatFailOrRunOutOfTimeAreKeptWithTheirReason) {
   EXPECT_EQ(run.seconds.size(), 1U);
 }
 
-TEST(StudyRun, AnInterruptedStudyGoesOnWhereItWasAndComesToTheSameEnd) {
+TEST(WorkPrecisionRun, AnInterruptedStudyGoesOnWhereItWasAndComesToTheSameEnd) {
   const JournalPath path;
   WorkPrecision whole;
   {
@@ -114,7 +114,7 @@ TEST(StudyRun, AnInterruptedStudyGoesOnWhereItWasAndComesToTheSameEnd) {
   EXPECT_FALSE(fs::exists(path.string()));
 }
 
-TEST(StudyRun, AStudyThatIsDoneIsNotRunAgainAndKeepsItsTimes) {
+TEST(WorkPrecisionRun, AStudyThatIsDoneIsNotRunAgainAndKeepsItsTimes) {
   const JournalPath path;
   WorkPrecision first;
   {
@@ -128,7 +128,7 @@ TEST(StudyRun, AStudyThatIsDoneIsNotRunAgainAndKeepsItsTimes) {
   for (std::size_t k = 0; k < first.runs.size(); ++k) EXPECT_EQ(again.runs[k].seconds, first.runs[k].seconds);
 }
 
-TEST(StudyRun, TakesNothingOverFromAQuickOneThatHadTooLittleTime) {
+TEST(WorkPrecisionRun, TakesNothingOverFromAQuickOneThatHadTooLittleTime) {
   LoadedCase loaded = tiny_study_case();
   WorkPrecisionSpec& spec = *loaded.spec.work_precision;
   spec.quick = spec.full;

@@ -47,7 +47,7 @@ Trajectory motion(std::vector<double> times, double moved, int elements = 1) {
 }
 
 std::string judged(const Trajectory& run, const Trajectory& reference, double tolerance, double horizon) {
-  return std::string(word(judge(run, reference, tolerance, horizon).outcome));
+  return std::string(word(classify_outcome(run, reference, tolerance, horizon).outcome));
 }
 
 const Trajectory& whole() {
@@ -171,16 +171,16 @@ std::string step_of(std::vector<Outcome> outcomes) {
 SceneNeed need(double estimate, double true_error, double doubt) {
   SceneNeed made;
   made.reference_doubt = doubt;
-  TriedRung rung;
-  rung.estimate = estimate;
-  rung.true_error = true_error;
-  made.economy.tried = {rung};
+  TriedCandidate candidate;
+  candidate.estimate = estimate;
+  candidate.true_error = true_error;
+  made.economy.tried = {candidate};
   return made;
 }
 
 std::string proven(double estimate, double true_error, double doubt) {
   const SceneNeed made = need(estimate, true_error, doubt);
-  return made.proven_rungs() == 0 ? "nothing proven" : fmt::format("{:g}", made.worst_ratio());
+  return made.proven_candidates() == 0 ? "nothing proven" : fmt::format("{:g}", made.worst_ratio());
 }
 
 std::string scene(double true_error, double doubt) {

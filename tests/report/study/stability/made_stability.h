@@ -73,16 +73,16 @@ inline Stability made_stability() {
     history.times = {0, 0.5, 1};
     history.change = {0, 0.1, 0.4};
     study.energies.push_back(history);
-    Separation separation;
-    separation.parameter = parameter;
-    separation.elements = 4;
-    separation.times = {0, 1, 2};
-    separation.distances = {1e-10, 1e-6, 1e-1};
-    separation.exponent = 10;
-    separation.horizon = parameter == 1 ? 1.75 : -1;
-    separation.beyond_end = parameter != 1;
-    separation.in_words = "They part.";
-    study.separations.push_back(separation);
+    TrajectoryDivergence divergence;
+    divergence.parameter = parameter;
+    divergence.elements = 4;
+    divergence.times = {0, 1, 2};
+    divergence.distances = {1e-10, 1e-6, 1e-1};
+    divergence.exponent = 10;
+    divergence.horizon = parameter == 1 ? 1.75 : -1;
+    divergence.beyond_end = parameter != 1;
+    divergence.in_words = "They part.";
+    study.divergences.push_back(divergence);
     study.references.push_back({parameter, 4, 2, "one", "another", 1e-9, 2, 1900, 1950});
   }
   for (const double steps : {3.0, 10.0})

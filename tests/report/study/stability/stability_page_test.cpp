@@ -83,7 +83,7 @@ TEST(StabilityPage, ShowsEveryPart) {
 
 TEST(StabilityPage, SaysWhereComparisonsMeanSomethingThroughout) {
   Stability study = made_stability();
-  for (Separation& separation : study.separations) separation.beyond_end = true;
+  for (TrajectoryDivergence& divergence : study.divergences) divergence.beyond_end = true;
   EXPECT_NE(page_of(study).find("Comparing trajectories means something throughout"), std::string::npos);
 }
 
@@ -121,7 +121,7 @@ TEST(StabilityPage, LeavesNoTemplateTagOrNotANumberBehind) {
   Stability strange = made_stability();
   strange.critical_steps[0].stable = -1;
   strange.critical_steps[1].predicted = {INFINITY, INFINITY};
-  strange.separations[0].exponent = NAN;
+  strange.divergences[0].exponent = NAN;
   strange.maps[0].points[3].energy_change = NAN;
   for (const Stability& study : {made_stability(), without, strange, Stability{}}) {
     const std::string page = page_of(study);

@@ -51,9 +51,9 @@ std::string motion_known(double trusted_until, double duration, double horizon, 
   reference.trusted_until = trusted_until;
   study.references = {reference};
   if (with_separation) {
-    Separation separation;
-    separation.horizon = horizon;
-    study.separations = {separation};
+    TrajectoryDivergence divergence;
+    divergence.horizon = horizon;
+    study.divergences = {divergence};
   }
   return status_of(stability_verdicts(study), fmt::format("reference: 4 elements, {:g} s", duration));
 }
@@ -84,9 +84,9 @@ std::string picture_error(double estimate, bool holds) {
   Economy economy;
   economy.tolerance = 0.5;
   economy.holds = holds;
-  TriedRung rung;
-  rung.estimate = estimate;
-  economy.tried = {rung};
+  TriedCandidate candidate;
+  candidate.estimate = estimate;
+  economy.tried = {candidate};
   economy.chosen = 0;
   return std::string(word(economy_verdict(economy).status));
 }
@@ -111,11 +111,11 @@ std::string economical(const std::string& name, const Need& of) {
   need.certified = of.certified;
   need.reference_doubt = of.doubt;
   need.seconds = of.seconds;
-  TriedRung rung;
-  rung.estimate = of.estimate;
-  rung.true_error = of.true_error;
+  TriedCandidate candidate;
+  candidate.estimate = of.estimate;
+  candidate.true_error = of.true_error;
   need.economy.tolerance = 0.5;
-  need.economy.tried = {rung};
+  need.economy.tried = {candidate};
   need.economy.chosen = 0;
   study.needs = {need};
   return status_of(evaluate_economy(study, {}).verdicts, "picture: " + name);
@@ -193,11 +193,11 @@ Document named_baseline() {
 std::string observed(double order) {
   WorkPrecision study;
   study.fixed_elements = 4;
-  StudyRun run;
+  WorkPrecisionRun run;
   run.method.name = "rk4";
   run.method.step = 1e-3;
   study.runs = {run};
-  StudyCurve curve;
+  MethodCurve curve;
   curve.label = curve.method = "rk4";
   curve.stated_order = "4";
   curve.elements = 4;

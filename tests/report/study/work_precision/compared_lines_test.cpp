@@ -32,7 +32,7 @@ TEST(StudyLines, OfTimeAreOfTheFixedMeshAndOfTheTotalOfEveryMesh) {
 TEST(StudyLines, TellsGoodFromWrongFromFailed) {
   const WorkPrecision study = made_study();
   std::size_t good = 0, wrong = 0, failed = 0;
-  for (const StudyRun& run : study.runs) {
+  for (const WorkPrecisionRun& run : study.runs) {
     const RunFate fate = fate_of(study, run, StudyQuestion::time);
     good += fate == RunFate::good;
     wrong += fate == RunFate::wrong;
@@ -46,7 +46,7 @@ TEST(StudyLines, TellsGoodFromWrongFromFailed) {
 
 TEST(StudyLines, SayWhyARunIsInTrouble) {
   WorkPrecision study = made_study();
-  StudyRun run = study.runs.front();
+  WorkPrecisionRun run = study.runs.front();
   EXPECT_EQ(trouble_of(study, run, StudyQuestion::time), "");
   run.time_error.tip_max = 0.5;
   EXPECT_EQ(trouble_of(study, run, StudyQuestion::time), "stable but wrong: 0.5 m off");

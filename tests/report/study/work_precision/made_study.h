@@ -43,7 +43,7 @@ class MadeCurves {
   /// A curve of `order` whose error is `factor` h^order for steps h = 0.01, 0.005, …; a step costs `cost` s.
   MadeCurves& curve(const std::string& label, MethodFamily family, int elements, double order, double factor,
                     double cost, int points = 5) {
-    StudyCurve& curve = study_.curves.emplace_back();
+    MethodCurve& curve = study_.curves.emplace_back();
     curve.label = label;
     curve.method = label;
     curve.family = family;
@@ -51,7 +51,7 @@ class MadeCurves {
     curve.stated_order = std::to_string(static_cast<int>(order));
     for (int k = 0; k < points; ++k) {
       const double step = 0.01 / std::pow(2.0, k);
-      StudyRun run;
+      WorkPrecisionRun run;
       run.method.name = label;
       run.method.step = step;
       run.elements = elements;
@@ -71,7 +71,7 @@ class MadeCurves {
 
   /// Another run at the start of the last curve, which did not complete.
   MadeCurves& failed(Outcome outcome, const std::string& message) {
-    StudyRun run;
+    WorkPrecisionRun run;
     run.method = study_.runs.back().method;
     run.method.step = 0.1;
     run.elements = study_.runs.back().elements;
@@ -86,7 +86,7 @@ class MadeCurves {
   /// Another one, which completed and is half a length off.
   MadeCurves& wrong() {
     failed(Outcome::completed, "");
-    StudyRun& run = study_.runs.back();
+    WorkPrecisionRun& run = study_.runs.back();
     run.method.step = 0.05;
     run.counters.steps = 20;
     run.time_error = run.total_error = {1.0, 0.5, 0.4, 0.3};

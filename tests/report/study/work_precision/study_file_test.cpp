@@ -22,7 +22,7 @@ const Study& tiny_study() {
   return study;
 }
 
-TEST(StudyFile, KeepsEverythingOfAStudy) {
+TEST(WorkPrecisionFile, KeepsEverythingOfAStudy) {
   const TemporaryFolder folder;
   write_text(folder / "study.h5", encode_study(tiny_study()));
   const Study back = read_study((folder / "study.h5").string());
@@ -30,7 +30,7 @@ TEST(StudyFile, KeepsEverythingOfAStudy) {
   EXPECT_EQ(back.loaded.spec, tiny_study().loaded.spec);
 }
 
-TEST(StudyFile, HasAUnitOnEveryDataSet) {
+TEST(WorkPrecisionFile, HasAUnitOnEveryDataSet) {
   const TemporaryFolder folder;
   write_text(folder / "study.h5", encode_study(tiny_study()));
   const hid_t file = H5Fopen((folder / "study.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -50,7 +50,7 @@ TEST(StudyFile, HasAUnitOnEveryDataSet) {
   EXPECT_GT(sets, 50);
 }
 
-TEST(StudyFile, CutOrChangedAnywhereIsRefused) {
+TEST(WorkPrecisionFile, CutOrChangedAnywhereIsRefused) {
   const TemporaryFolder folder;
   const std::string whole = encode_study(tiny_study());
   const auto refusal_of = [&](const std::string& bytes) {
@@ -73,7 +73,7 @@ TEST(StudyFile, CutOrChangedAnywhereIsRefused) {
   EXPECT_EQ(refusal_of(whole), "accepted");
 }
 
-TEST(StudyFile, WhoseIndicesLeadNowhereIsRefused) {
+TEST(WorkPrecisionFile, WhoseIndicesLeadNowhereIsRefused) {
   const TemporaryFolder folder;
   Study bad = tiny_study();
   bad.result.curves[0].runs.push_back(bad.result.runs.size());

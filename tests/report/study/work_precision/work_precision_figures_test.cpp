@@ -177,7 +177,7 @@ TEST(StudyFigures, OfManyCurvesCanBeDrawn) {
 TEST(StudyFigures, OfFailuresOnlyOfOneRunOnlyAndOfNothingCanBeDrawn) {
   MadeCurves failures;
   failures.curve("never", MethodFamily::structural, 4, 2, 1, 1e-6, 0);
-  StudyRun run;
+  WorkPrecisionRun run;
   WorkPrecision study = failures.judged();
   for (const double seconds : {-1.0, 0.5}) {
     run.elements = 4;

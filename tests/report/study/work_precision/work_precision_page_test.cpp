@@ -54,7 +54,7 @@ TEST(StudyPage, DataOfTheChartsAreTheResults) {
   const nlohmann::json json = data_in(page_of(study));
   ASSERT_EQ(json["runs"].size(), study.runs.size());
   for (std::size_t k = 0; k < study.runs.size(); ++k) {
-    const StudyRun& run = study.runs[k];
+    const WorkPrecisionRun& run = study.runs[k];
     const nlohmann::json& shown = json["runs"][k];
     EXPECT_EQ(shown["elements"], run.elements);
     EXPECT_EQ(shown["outcome"], word(run.outcome));
@@ -164,7 +164,7 @@ TEST(StudyPage, CheapestTableHasARowForEachDecade) {
 
 TEST(StudyPage, SaysWhereNothingCouldBeCompared) {
   WorkPrecision study = made_study();
-  for (StudyRun& run : study.runs) run.total_error = {};
+  for (WorkPrecisionRun& run : study.runs) run.total_error = {};
   study.converged_reference.agreement = -1;
   evaluate(study);
   const std::string page = page_of(study);

@@ -17,12 +17,12 @@ Study made_study() {
   result.fixed_elements = 2;
   result.end = 1;
   result.length = 1;
-  StudyCurve& curve = result.curves.emplace_back();
+  MethodCurve& curve = result.curves.emplace_back();
   curve.label = curve.method = "rk4";
   curve.elements = 2;
   curve.stated_order = "4";
   for (const double step : {1e-2, 5e-3, 2.5e-3, 1.25e-3}) {
-    StudyRun& run = result.runs.emplace_back();
+    WorkPrecisionRun& run = result.runs.emplace_back();
     run.method.name = "rk4";
     run.method.step = step;
     run.elements = 2;
@@ -78,7 +78,7 @@ TEST(StudyResults, OnlyStiffStepsOfImplicitStagesMayShowAReducedOrder) {
                                  {"rk4", "5", 401, false, false},
                                  {"unknown", "5", 401, false, false}}) {
     Study study = made_study();
-    StudyCurve& curve = study.result.curves[0];
+    MethodCurve& curve = study.result.curves[0];
     curve.method = example.method;
     curve.stated_order = example.stated;
     study.result.fastest_frequency = example.frequency;
