@@ -23,4 +23,15 @@ double Element::curvature(const Vec3& slope, const Vec3& slope_rate) const {
          std::sqrt(strain_ == StrainModel::green_geometric ? a * a * a : a * a);
 }
 
+double Element::axial_force(const Vec3& slope, const Vec3& slope_rate) const {
+  const double axial = axial_stiffness_ * strain(slope);
+  if (strain_ == StrainModel::engineering_material) return axial;
+  return axial * slope.norm() - bending_moment(slope, slope_rate) * curvature(slope, slope_rate);
+}
+
+double Element::bending_moment(const Vec3& slope, const Vec3& slope_rate) const {
+  const double moment = bending_stiffness_ * curvature(slope, slope_rate);
+  return strain_ == StrainModel::green_geometric ? moment / std::max(slope.norm(), slope_floor) : moment;
+}
+
 }  // namespace plumb

@@ -21,6 +21,11 @@ class Element {
   double strain(const Vec3& slope) const;
   /// Curvature κ (1/m) from r' and r'' (1/m); of a collapsed slope, that at the floor.
   double curvature(const Vec3& slope, const Vec3& slope_rate) const;
+  /// Part along the cable of the force in it (N), tension > 0: n·t with n = ∂W/∂r' - (∂W/∂r'')', W being the
+  /// energy a metre. With λ = |r'| it is EA ε λ - EI κ²/λ (geometric) or EA ε (material).
+  double axial_force(const Vec3& slope, const Vec3& slope_rate) const;
+  /// Bending moment (N m), |r' × ∂W/∂r''|: EI κ/λ (geometric) or EI κ (material).
+  double bending_moment(const Vec3& slope, const Vec3& slope_rate) const;
 
   double axial_stiffness() const { return axial_stiffness_; }
   double bending_stiffness() const { return bending_stiffness_; }

@@ -10,20 +10,24 @@ double field_value(const Cable& cable, ColorField field, const Eigen::VectorXd& 
   switch (field) {
     case ColorField::none:
       break;
-    case ColorField::axial_strain:
-      return element.strain(cable.at(q, s).slope);
-    case ColorField::axial_force:
-      return element.axial_stiffness() * element.strain(cable.at(q, s).slope);
-    case ColorField::curvature:
-    case ColorField::bending_moment: {
-      const CablePoint point = cable.at(q, s);
-      const double curvature = element.curvature(point.slope, point.bend);
-      return field == ColorField::curvature ? curvature : element.bending_stiffness() * curvature;
-    }
     case ColorField::speed:
       return cable.interpolate(v, s).norm();
+    default:
+      break;
   }
-  return 0;
+  const CablePoint point = cable.at(q, s);
+  switch (field) {
+    case ColorField::axial_strain:
+      return element.strain(point.slope);
+    case ColorField::axial_force:
+      return element.axial_force(point.slope, point.bend);
+    case ColorField::curvature:
+      return element.curvature(point.slope, point.bend);
+    case ColorField::bending_moment:
+      return element.bending_moment(point.slope, point.bend);
+    default:
+      return 0;
+  }
 }
 
 std::string_view title(ColorField field) {
