@@ -139,6 +139,8 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
           break;
         }
         record(cable, outputs[next], between, result);
+        Energies& energies = result.energies.back();
+        energies.interpolation = energies.total() - cable.energies(now.q, now.v).total();
         record_constraints(cable, *integrator, outputs[next], lambda, result);
         ++result.interpolated_outputs;
       }

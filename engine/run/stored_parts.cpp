@@ -23,10 +23,12 @@ std::span<const std::pair<const char*, long Counters::*>> stored_counters() {
 }
 
 std::span<const std::pair<const char*, double Energies::*>> stored_energies() {
-  static constexpr std::pair<const char*, double Energies::*> all[] = {{"kinetic", &Energies::kinetic},
-                                                                       {"axial", &Energies::axial},
-                                                                       {"bending", &Energies::bending},
-                                                                       {"potential", &Energies::potential}};
+  static constexpr std::pair<const char*, double Energies::*> all[] = {
+      {"kinetic", &Energies::kinetic},
+      {"axial", &Energies::axial},
+      {"bending", &Energies::bending},
+      {"potential", &Energies::potential},
+      {"interpolation", &Energies::interpolation}};
   return all;
 }
 

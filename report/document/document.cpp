@@ -1,6 +1,7 @@
 #include "report/document/document.h"
 
 #include "engine/base/document_sum.h"
+#include "engine/run/stored_parts.h"
 #include "report/document/case_json.h"
 #include "report/document/given_json.h"
 #include "report/figure/panels_json.h"
@@ -50,22 +51,16 @@ Json reference_json(const Reference& reference, const ReferenceUse& use) {
 Json energy_json(const Trajectory& trajectory) {
   // Of an external run, which has no states, they are not known.
   if (trajectory.energies.empty() && !trajectory.times.empty()) return nullptr;
-  Json kinetic = Json::array(), axial = Json::array(), bending = Json::array(), potential = Json::array();
-  for (const Energies& e : trajectory.energies) {
-    kinetic.push_back(e.kinetic);
-    axial.push_back(e.axial);
-    bending.push_back(e.bending);
-    potential.push_back(e.potential);
+  Json json = {{"unit", "J"},
+               {"drift", trajectory.energy_drift()},
+               {"drift_relative_to_first_kinetic", trajectory.relative_energy_drift()},
+               {"drift_in_words", drift_in_words(trajectory)},
+               {"time", trajectory.times}};
+  for (const auto& [name, part] : stored_energies()) {
+    Json& values = json[name] = Json::array();
+    for (const Energies& e : trajectory.energies) values.push_back(e.*part);
   }
-  return {{"unit", "J"},
-          {"drift", trajectory.energy_drift()},
-          {"drift_relative_to_first_kinetic", trajectory.relative_energy_drift()},
-          {"drift_in_words", drift_in_words(trajectory)},
-          {"time", trajectory.times},
-          {"kinetic", kinetic},
-          {"axial", axial},
-          {"bending", bending},
-          {"potential", potential}};
+  return json;
 }
 
 Json picture_json(const std::vector<Picture>& pictures) {

@@ -40,6 +40,16 @@ TEST(Energy, GeneralizedAlphaLosesWhatItsDampingTakes) {
   }
 }
 
+TEST(Energy, DriftIsThatOfTheStepsAndNotOfWhatIsInterpolatedBetweenThem) {
+  const Trajectory kept = run(pendulum(5, 4), method("energy-momentum", 0.03), {3, 0.1});
+  ASSERT_EQ(kept.outcome, Outcome::completed) << kept.message;
+  EXPECT_GT(kept.interpolated_outputs, 10);
+  EXPECT_LE(kept.relative_energy_drift(), 1e-9);
+  double interpolation = 0;
+  for (const Energies& e : kept.energies) interpolation = std::max(interpolation, std::abs(e.interpolation));
+  EXPECT_GT(interpolation, 1e-6 * kept.kinetic_scale()) << "nothing was interpolated badly";
+}
+
 // At these steps the trapezoidal rule and generalized-α with ρ∞ = 1 fail within seconds.
 TEST(Energy, EnergyMomentumKeepsItWhereOtherMethodsFail) {
   for (const StrainModel strain : {StrainModel::green_geometric, StrainModel::engineering_material})
