@@ -27,6 +27,13 @@ double floor_of(const WorkPrecision& study, int elements) {
   return 0;
 }
 
+/// The highest of the orders that a method may choose from, "1 to 5"; infinite where one is stated, which an
+/// observation is held against.
+double highest_choice(const std::string& stated) {
+  const auto to = stated.find(" to ");
+  return to == std::string::npos ? INFINITY : std::strtod(stated.c_str() + to + 4, nullptr);
+}
+
 void fit_order(const WorkPrecision& study, MethodCurve& curve) {
   std::vector<StepError> points;
   for (const std::size_t k : curve.runs) {
@@ -37,7 +44,8 @@ void fit_order(const WorkPrecision& study, MethodCurve& curve) {
   }
   // Where the error is no longer small to the cable, no order can be expected.
   constexpr double largest_share = 0.05;
-  curve.observed = observed_order(points, floor_of(study, curve.elements), largest_share * study.length);
+  curve.observed = observed_order(points, floor_of(study, curve.elements), largest_share * study.length,
+                                  highest_choice(curve.stated_order));
 }
 
 /// Cost and error of each run. An error below the floor counts as the floor, as it says no more than that; a

@@ -53,7 +53,7 @@ ObservedOrder fit(std::span<const StepError> part) {
 
 }  // namespace
 
-ObservedOrder observed_order(std::span<const StepError> curve, double floor, double ceiling) {
+ObservedOrder observed_order(std::span<const StepError> curve, double floor, double ceiling, double highest) {
   constexpr std::size_t fewest = 3;
   const auto usable = [&](std::size_t k) {
     return curve[k].step > 0 && curve[k].error > std::max(floor, 0.0) && curve[k].error < ceiling &&
@@ -71,7 +71,8 @@ ObservedOrder observed_order(std::span<const StepError> curve, double floor, dou
       if (usable(k) && usable(k + 1) &&
           slopes_between(curve, k, k + 1).mean > seen.mean + seen.allowed_spread())
         return {};
-    return fit(curve.subspan(first, last - first + 1));
+    const ObservedOrder found = fit(curve.subspan(first, last - first + 1));
+    return found.order <= 1.1 * highest ? found : ObservedOrder{};
   }
   return {};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "engine/study/work_precision/work_precision.h"
@@ -17,7 +18,9 @@ struct StepError {
 /// with errors between `floor` and `ceiling` (m) whose local slopes agree to 0.1 and a tenth of their mean
 /// and are at least 0.5 on average: above it the step is too large for the theory to hold, below it something
 /// other than the step errs. Finer runs may only fall more slowly: where the error falls faster below, the
-/// stretch is not asymptotic, and there is none.
-ObservedOrder observed_order(std::span<const StepError> curve, double floor, double ceiling);
+/// stretch is not asymptotic, and there is none. Nor is there where the slope is more than a tenth above
+/// `highest`, the highest order that the method can choose: order and step then change together.
+ObservedOrder observed_order(std::span<const StepError> curve, double floor, double ceiling,
+                             double highest = std::numeric_limits<double>::infinity());
 
 }  // namespace plumb

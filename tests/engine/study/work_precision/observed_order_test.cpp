@@ -38,6 +38,11 @@ TEST(StudyObservedOrder, LeavesOutAFloorAndCoarseRunsOfAnotherSlope) {
   EXPECT_DOUBLE_EQ(seen.smallest_step, curve[6].step);
 }
 
+TEST(StudyObservedOrder, BeyondWhatTheMethodCanChooseIsNone) {
+  for (const auto& [order, seen] : {std::pair{4.0, 4.0}, {5.4, 5.4}, {5.6, -1.0}, {17.86, -1.0}})
+    EXPECT_NEAR(observed_order(power_law(order, 0.1, 1.5, 6), 0, 1e3, 5).order, seen, 1e-9) << order;
+}
+
 TEST(StudyObservedOrder, AStretchBelowWhichTheErrorFallsFasterIsNotAsymptotic) {
   // Order 1 down to the fourth run, then one step of each slope.
   for (const auto& [slope, seen] : {std::pair{0.1, 1.0}, {1.19, 1.0}, {1.35, -1.0}, {4.0, -1.0}}) {
