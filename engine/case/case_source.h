@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/case/case.h"
@@ -33,12 +34,18 @@ struct LoadedCase {
   std::vector<std::string> remarks;  ///< what was left unused and why, for the user to see
 };
 
+/// Whether something is made of a section that not all commands use: "scene", "uncertainty", "error_budget",
+/// "study.sweep" and so on. What is wrong in one that is not used is a remark, and the section left out.
+using SectionUse = std::function<bool(std::string_view section)>;
+bool use_all(std::string_view section);
+
 /// Reads a case file from disk with its references and checks everything.
 /// Throws InputError naming file, line, column, the value and what is allowed.
-LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides = {});
+LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides = {},
+                     const SectionUse& uses = use_all);
 
 /// The same from texts that are at hand already. Throws as above.
-LoadedCase load_case(const CaseSource& source);
+LoadedCase load_case(const CaseSource& source, const SectionUse& uses = use_all);
 
 /// The case of a [[study.variant]]: that of the source with the variant's overrides after its own, and
 /// without studies. Throws as above.

@@ -69,7 +69,8 @@ void note_shortcomings(const Case& spec, GivenRunsRead& given) {
 }
 
 LoadedCase read_case(const NamedText& file, const TomlValue& written,
-                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent);
+                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent,
+                     const SectionUse& uses = use_all);
 
 /// The case without what is read of everything only, so that to read it once more for each variant does not
 /// cost all other variants.
@@ -82,37 +83,62 @@ TomlValue without_studies(const TomlValue& written) {
   return result;
 }
 
+/// Reads a section; where it is not used, what is wrong with it becomes a remark.
+template <class Read>
+void read_section(std::string_view name, const SectionUse& uses, std::vector<std::string>& remarks,
+                  Read read) {
+  if (uses(name)) return read();
+  try {
+    read();
+  } catch (const InputError& error) {
+    remarks.push_back(fmt::format("[{}] is not used here, and could not be: {}", name, error.what()));
+  }
+}
+
 void read_studies(TableReader study, const NamedText& file, const TomlValue& written,
-                  const std::vector<std::string>& overrides, ReferenceFiles& files, Case& spec) {
+                  const std::vector<std::string>& overrides, ReferenceFiles& files, const SectionUse& uses,
+                  LoadedCase& loaded) {
+  Case& spec = loaded.spec;
   const bool has_work_precision = study.has("work_precision");
   const bool has_stability = study.has("stability");
   const bool has_sweep = study.has("sweep");
   const bool has_economy = study.has("economy");
   const std::vector<TableReader> variants = study.tables("variant");
   study.finish();
+  const auto section = [&](std::string_view name, auto read) {
+    read_section(name, uses, loaded.remarks, read);
+  };
   if (has_work_precision)
-    spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+    section("study.work_precision", [&] {
+      spec.work_precision = read_work_precision(study.table("work_precision"), spec.cable, spec.time);
+    });
   if (has_stability)
-    spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
-  if (has_sweep) spec.sweep = read_sweep(study.table("sweep"), spec.cable);
-  if (has_economy) spec.economy = read_economy(study.table("economy"), spec.scene);
+    section("study.stability", [&] {
+      spec.stability = read_stability(study.table("stability"), spec.parameters, spec.cable, spec.time);
+    });
+  if (has_sweep) section("study.sweep", [&] { spec.sweep = read_sweep(study.table("sweep"), spec.cable); });
+  if (has_economy)
+    section("study.economy", [&] { spec.economy = read_economy(study.table("economy"), spec.scene); });
   if (variants.empty()) return;
   const TomlValue bare = without_studies(written);
-  spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
-    std::vector<std::string> all = overrides;
-    all.insert(all.end(), more.begin(), more.end());
-    return read_case(file, bare, all, files, Extent::without_studies).spec;
+  section("study.variant", [&] {
+    spec.variants = read_variants(variants, [&](const std::vector<std::string>& more) {
+      std::vector<std::string> all = overrides;
+      all.insert(all.end(), more.begin(), more.end());
+      return read_case(file, bare, all, files, Extent::without_studies).spec;
+    });
   });
 }
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides, ReferenceText text_of,
-                     Extent extent) {
+                     Extent extent, const SectionUse& uses = use_all) {
   ReferenceFiles files(std::move(text_of));
-  return read_case(file, parse_toml(file), overrides, files, extent);
+  return read_case(file, parse_toml(file), overrides, files, extent, uses);
 }
 
 LoadedCase read_case(const NamedText& file, const TomlValue& written,
-                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent) {
+                     const std::vector<std::string>& overrides, ReferenceFiles& files, Extent extent,
+                     const SectionUse& uses) {
   TomlValue merged = written;
   for (const std::string& text : overrides) apply_override(merged, text);
 
@@ -172,7 +198,12 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   ReferencesRead read = read_references(references, file.name, files, spec.probes, spec.time);
   spec.references = std::move(read.uses);
   spec.figures = read_figures(figures, spec.probes, spec.references);
-  spec.scene = read_scene(scene, spec.time);
+  // A scene that the method is left to is used whatever is made of the run.
+  const bool asks_scene = spec.method.name == scene_method;
+  const auto section = [&](std::string_view name, auto part) {
+    read_section(name, asks_scene ? use_all : uses, loaded.remarks, part);
+  };
+  section("scene", [&] { spec.scene = read_scene(scene, spec.time); });
   if (extent == Extent::everything) {
     check_given_runs(runs, spec, given.runs);
     note_shortcomings(spec, given);
@@ -180,13 +211,16 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
       for (const char* key : {"study", "uncertainty", "error_budget"})
         if (root.has(key))
           root.refuse_value(key, "belongs to runs of Plumb's own; a case without [method] has none");
-    read_studies(study, file, written, overrides, files, spec);
-    if (has_uncertainty) spec.uncertainty = read_uncertainty(uncertainty, spec);
+    read_studies(study, file, written, overrides, files, uses, loaded);
+    if (has_uncertainty)
+      section("uncertainty", [&] { spec.uncertainty = read_uncertainty(uncertainty, spec); });
     if (has_error_budget)
-      spec.error_budget =
-          read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
-            return read_case(file, written, joined_overrides(overrides, more), files, Extent::motion).spec;
-          });
+      section("error_budget", [&] {
+        spec.error_budget =
+            read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
+              return read_case(file, written, joined_overrides(overrides, more), files, Extent::motion).spec;
+            });
+      });
   }
 
   loaded.references = std::move(read.references);
@@ -212,17 +246,22 @@ ReferenceText texts_of(const CaseSource& source) {
 
 }  // namespace
 
-LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
+bool use_all(std::string_view) {
+  return true;
+}
+
+LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides,
+                     const SectionUse& uses) {
   const std::string text = read_whole_file(path, InputKind::case_file);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return read_case(
       {path, text}, overrides,
       [&](const std::string& name, InputKind kind) { return read_file_text((folder / name).string(), kind); },
-      Extent::everything);
+      Extent::everything, uses);
 }
 
-LoadedCase load_case(const CaseSource& source) {
-  return read_case(source.file, source.overrides, texts_of(source), Extent::everything);
+LoadedCase load_case(const CaseSource& source, const SectionUse& uses) {
+  return read_case(source.file, source.overrides, texts_of(source), Extent::everything, uses);
 }
 
 LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "engine/base/document_sum.h"
@@ -19,6 +20,12 @@ std::string encode_study_record(const char* kind, int version, const CaseSource&
   return to_summed_text(std::move(json), -1);
 }
 
+SectionUse uses_of_study(std::string_view kind) {
+  std::string own = fmt::format("study.{}", kind == "variants" ? "variant" : kind);
+  std::replace(own.begin(), own.end(), '-', '_');
+  return [own](std::string_view section) { return section == own || section == "scene"; };
+}
+
 StudyRecord decode_study_record(const std::string& text, const std::string& file, const char* kind,
                                 int version, int oldest) {
   try {
@@ -30,7 +37,7 @@ StudyRecord decode_study_record(const std::string& text, const std::string& file
           oldest == version ? fmt::format("{}", version) : fmt::format("{} to {}", oldest, version)));
     const CaseSource source = case_source_from_json(json.at("case"));
     try {
-      return {load_case(source), std::move(json)};
+      return {load_case(source, uses_of_study(kind)), std::move(json)};
     } catch (const InputError& error) {
       throw InputError(one_line(fmt::format("{}: the case in it is invalid: {}", file, error.what())));
     }

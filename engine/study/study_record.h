@@ -14,6 +14,9 @@ struct StudyRecord {
   nlohmann::ordered_json body;
 };
 
+/// The sections of a case that a kind of study makes something of: its own, and the scene.
+SectionUse uses_of_study(std::string_view kind);
+
 /// The text of study.json, with its check sum.
 std::string encode_study_record(const char* kind, int version, const CaseSource& source,
                                 const nlohmann::ordered_json& body);

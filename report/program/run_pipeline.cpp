@@ -57,8 +57,8 @@ void say_verdicts(const std::vector<Verdict>& verdicts, Console& console) {
   }
 }
 
-LoadedCase load(const Options& options, Console& console) {
-  LoadedCase loaded = load_case(options.input, options.overrides);
+LoadedCase load(const Options& options, Console& console, const SectionUse& uses) {
+  LoadedCase loaded = load_case(options.input, options.overrides, uses);
   for (const std::string& remark : loaded.remarks) console.remark(remark);
   return loaded;
 }

@@ -14,7 +14,7 @@
 namespace plumb {
 
 /// Reads the case of the command line and says what was noteworthy. Throws InputError.
-LoadedCase load(const Options& options, Console& console);
+LoadedCase load(const Options& options, Console& console, const SectionUse& uses = use_all);
 
 /// Integrates a case and takes down what it was done with; says how it went.
 Run solve(const LoadedCase& loaded, Console& console);

@@ -15,12 +15,16 @@ namespace plumb {
 ExitStatus solve_verb(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
-  const LoadedCase given = load(options, console);
+  const LoadedCase given =
+      load(options, console, [&](std::string_view section) { return options.economy && section == "scene"; });
   refuse_without_method(given);
   const bool writes_run = options.csv.empty() || !options.output.empty();
   check_estimate(given.spec, {.solves = true, .writes_run = writes_run, .writes_table = !options.csv.empty()},
                  given.source.file.name, output_path(options, given), options, console);
-  const LoadedCase loaded = as_the_scene_needs(given, output_path(options, given), options, console);
+  std::optional<SceneChoice> choice;
+  if (is_left_to_scene(given, options))
+    choice = choose_for_scene(given, output_path(options, given), options, console);
+  const LoadedCase& loaded = choice ? choice->loaded : given;
   std::optional<OutputFolder> folder;
   FolderUse use = folder_for(given, options, console);
   if (writes_run) {
@@ -44,7 +48,8 @@ ExitStatus solve_verb(const Options& options, Console& console) {
     console.line("probes: " + options.csv);
   }
   if (options.json) print_json(solve_json(run));
-  return run.trajectory.outcome == Outcome::completed ? ExitStatus::done : ExitStatus::solver_failed;
+  if (run.trajectory.outcome != Outcome::completed) return ExitStatus::solver_failed;
+  return choice && !choice->economy.holds ? ExitStatus::criterion_not_met : ExitStatus::done;
 }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
+#include "engine/study/study_record.h"
 #include "report/program/kept_points.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
@@ -16,7 +17,7 @@ namespace plumb {
 ExitStatus study_verb(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
-  LoadedCase loaded = load(options, console);
+  LoadedCase loaded = load(options, console, options.kind.empty() ? use_all : uses_of_study(options.kind));
   refuse_without_method(loaded);
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
   const std::string path =

@@ -14,6 +14,7 @@
 #include "engine/model/greatest_eigenfrequency.h"
 #include "engine/read/stored_source.h"
 #include "engine/run/stored_parts.h"
+#include "engine/study/study_record.h"
 #include "engine/study/work_precision/run_work_precision.h"
 
 namespace plumb {
@@ -330,7 +331,7 @@ Study read_study(const std::string& path) {
     read_format(file, format_name, study_file_version, "study file");
     Study study;
     WorkPrecision& result = study.result;
-    study.loaded = load_case(read_source(file));
+    study.loaded = load_case(read_source(file), uses_of_study("work-precision"));
     result.provenance = read_provenance(file);
     result.title = study.loaded.spec.title;
     result.length = study.loaded.spec.cable.length;

@@ -106,6 +106,20 @@ TEST(Program, SolveWritesTheProbesWithSeventeenDigits) {
   EXPECT_FALSE(fs::exists(folder / "output")) << "--csv without -o writes no folder";
 }
 
+TEST(Program, WhatAVerbDoesNotUseItRemarksOnAtMost) {
+  const TemporaryFolder folder;
+  for (const std::string wrong :
+       {"scene.frame_rate=1e9", "study.stability.steps=1", "uncertainty.elements=3"}) {
+    const auto ended = [&](const std::string& verb) {
+      return plumb_in(folder.path(), with_quick({verb, case_path("pendulum.toml"), "--set", wrong}));
+    };
+    const Ended solved = ended("solve");
+    EXPECT_EQ(solved.status, 0) << wrong << solved.err;
+    EXPECT_NE(solved.err.find("is not used here"), std::string::npos) << wrong << solved.err;
+    EXPECT_EQ(ended("check").status, 3) << wrong;
+  }
+}
+
 TEST(Program, EveryStageCanBeEnteredFromItsFile) {
   const TemporaryFolder folder;
   ASSERT_EQ(plumb_in(folder.path(), with_quick({"solve", case_path("pendulum.toml"), "-o", "a"})).status, 0);
