@@ -18,12 +18,15 @@ class PairOnPicture {
  public:
   PairOnPicture(const Camera& camera, const SceneCamera& scene) : camera_(camera), scene_(scene) {}
 
-  double distance(const Vec3& drawn, const Vec3& truth) const {
+  double distance(const Vec3& drawn, const Vec3& truth) {
     const Point a = camera_.pixel(drawn), b = camera_.pixel(truth);
     if (!is_seen(a, drawn) && !is_seen(b, truth)) return 0;
+    sees_any_ = true;
     const double distance = (a - b).norm();
     return std::isfinite(distance) ? distance : std::numeric_limits<double>::infinity();
   }
+
+  bool sees_any() const { return sees_any_; }
 
  private:
   bool is_seen(const Point& p, const Vec3& place) const {
@@ -35,37 +38,52 @@ class PairOnPicture {
 
   const Camera& camera_;
   const SceneCamera& scene_;
+  bool sees_any_ = false;
 };
 
 }  // namespace
 
-ImageErrorGauge::ImageErrorGauge(const Trajectory& truth, const SceneInput& input)
-    : camera_(truth, input), times_(camera_.frame_times()) {}
+ImageErrorGauge::ImageErrorGauge(const Trajectory& truth, const SceneInput& input) : camera_(truth, input) {
+  const Motion& motion = camera_.motion();
+  std::vector<double> times = camera_.frame_times();
+  if (motion.end() - times.back() > 1e-9 * motion.end()) times.push_back(motion.end());
+  const auto tip = [&](double time) { return camera_.at(time).pixel(motion.tip(motion.state(time))); };
+  samples_.push_back({times.front(), 0});
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    // Not so where it moves by no number of pixels, as behind the camera.
+    if (!((tip(times[k]) - tip(times[k - 1])).norm() <= input.spec.tolerance))
+      samples_.push_back({(times[k - 1] + times[k]) / 2, k});
+    samples_.push_back({times[k], k});
+  }
+}
 
 std::vector<double> ImageErrorGauge::distances(const Trajectory& drawn) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> result(times_.size(), infinity);
+  std::vector<double> result(samples_.back().frame + 1, 0);
   const Motion& truth = camera_.motion();
+  bool seen = false;
   try {
     const Motion motion(drawn);
     const int points =
         std::max(fewest_points, points_of_an_element * std::max(motion.elements(), truth.elements()));
-    for (std::size_t k = 0; k < times_.size(); ++k) {
-      if (times_[k] > motion.end() + 1e-9) break;
-      const Camera camera = camera_.at(times_[k]);
-      const PairOnPicture pair(camera, camera_);
-      const Eigen::VectorXd a = motion.state(times_[k]), b = truth.state(times_[k]);
-      double greatest = 0;
+    for (const auto& [time, frame] : samples_) {
+      const Camera camera = camera_.at(time);
+      PairOnPicture pair(camera, camera_);
+      const Eigen::VectorXd a = motion.state(time), b = truth.state(time);
+      double greatest = time > motion.end() + 1e-9 ? infinity : 0;
       for (int i = 0; i <= points; ++i) {
         const double at = static_cast<double>(i) / points;
         greatest = std::max(greatest, pair.distance(motion.point(a, at * motion.elements()).position,
                                                     truth.point(b, at * truth.elements()).position));
       }
-      result[k] = greatest;
+      result[frame] = std::max(result[frame], greatest);
+      seen = seen || pair.sees_any();
     }
   } catch (const OutputError&) {
     // What cannot be drawn is infinitely far off.
+    return std::vector<double>(result.size(), infinity);
   }
+  if (!seen) return {};
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/integrate/integrate.h"
 #include "engine/integrate/method_roles.h"
 #include "engine/model/load.h"
 #include "engine/model/straight_frequency.h"
@@ -24,9 +25,8 @@ struct StepWork {
 };
 constexpr StepWork leapfrog_cable{150, 25}, leapfrog_chain{80, 36}, rigid_step{75, 10},
     implicit_step{1000, 560};
-/// Of the safe default rather too little than too much: it bounds what a search may take.
 constexpr StepWork safe_step{400, 600};
-constexpr double safe_phase = 2.5;  // ωh of its steps, of the fastest vibration
+constexpr double safe_phase = 2.5;  // ωh of its steps, of the fastest vibration, about
 
 /// Of the leapfrog's limit of stability. A cable that is stretched vibrates faster than the straight one.
 constexpr double share_of_limit = 0.65;
@@ -130,7 +130,7 @@ Case with_candidate(const Case& spec, const Candidate& candidate) {
   Case result = spec;
   result.cable = candidate.cable;
   result.method = candidate.method;
-  result.time.output_interval = scene_output_interval(spec);
+  result.time.output_interval = scene_output_interval(spec) / 2;
   return result;
 }
 
@@ -224,8 +224,17 @@ std::vector<Candidate> all_candidates(const Case& spec, double limit) {
 Candidate safe_candidate(const Case& spec) {
   Candidate candidate{meshed(spec, safe_elements), plain_method(embedded_explicit())};
   candidate.method.rtol = candidate.method.atol = safe_tolerance;
-  candidate.work = std::ceil(spec.time.end * straight_frequency(candidate.cable) / safe_phase) *
-                   safe_step.of(safe_elements);
+  constexpr double steps_tried = 2000;
+  const double steps_a_second = straight_frequency(candidate.cable) / safe_phase;
+  Case beginning = with_candidate(spec, candidate);
+  beginning.time.end = std::min(spec.time.end, steps_tried / steps_a_second);
+  beginning.time.output_interval = beginning.time.end;
+  const Trajectory tried = integrate(beginning);
+  const double steps =
+      static_cast<double>(tried.counters.steps + std::max(0L, tried.counters.rejected_steps));
+  candidate.work =
+      (tried.end_time > 0 ? steps * spec.time.end / tried.end_time : spec.time.end * steps_a_second) *
+      safe_step.of(safe_elements);
   return candidate;
 }
 

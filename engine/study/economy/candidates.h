@@ -11,7 +11,7 @@ namespace plumb {
 /// the case asks for are among them if it has references or figures that need them.
 double scene_output_interval(const Case& spec);
 
-/// The case with the model and method of a candidate, and outputs where frames are.
+/// The case with the model and method of a candidate, and outputs where frames are and halfway between them.
 Case with_candidate(const Case& spec, const Candidate& candidate);
 /// What makes the case of the file that one, as --set takes it.
 std::vector<std::string> candidate_overrides(const Case& spec, const Candidate& candidate);
@@ -30,7 +30,8 @@ Candidate cable_candidate(const Case& spec, int elements, double share_of_step =
 /// shorter steps than they need to be stable, and with long implicit steps.
 std::vector<Candidate> all_candidates(const Case& spec, double limit);
 
-/// The safe default: 64 elements, embedded_explicit() with rtol and atol of 1e-8.
+/// The safe default: 64 elements, embedded_explicit() with rtol and atol of 1e-8. Its steps are those of its
+/// first thousands, which it takes to tell, as many a second to the end; the same on every machine.
 Candidate safe_candidate(const Case& spec);
 
 }  // namespace plumb

@@ -60,7 +60,9 @@ struct Economy {
 };
 
 /// Greatest distance on the picture between the centre lines of two runs, pixels, one for each frame that is
-/// drawn. Infinite where one is not in the picture and the other cannot be told.
+/// drawn and one for the end of a run that goes on after the last frame; each since the frame before.
+/// Infinite where one is not in the picture and the other cannot be told. None at all where neither is
+/// ever in the picture, which proves nothing.
 using PictureErrors = std::function<std::vector<double>(const Trajectory& drawn)>;
 /// Makes what holds runs against `truth`, which must outlive it, through the camera of `truth`.
 using MakeGauge = std::function<PictureErrors(const Trajectory& truth)>;

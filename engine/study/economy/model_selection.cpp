@@ -54,18 +54,23 @@ OwnError own_error(double to_coarsest, double to_coarser) {
 
 class Search {
  public:
-  Search(const Case& spec, const MakeGauge& make_gauge) : spec_(spec), make_gauge_(make_gauge) {
+  Search(const Case& spec, const MakeGauge& make_gauge)
+      : spec_(spec), make_gauge_(make_gauge), safe_(safe_candidate(spec)) {
     result_.tolerance = spec.scene.tolerance;
-    result_.safe_work = safe_candidate(spec).work;
+    result_.safe_work = safe_.work;
     if (spec.cable.model == CableModel::cable) result_.case_elements = spec.cable.elements;
   }
 
   Economy result() {
     const auto started = std::chrono::steady_clock::now();
-    refine();
-    try_own_mesh();
-    climb();
-    settle();
+    if (parts_within_the_run()) {
+      choose_safe();
+    } else {
+      refine();
+      try_own_mesh();
+      climb();
+      settle();
+    }
     result_.search_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return std::move(result_);
@@ -95,6 +100,24 @@ class Search {
 
   static bool completed(const Member& member) { return member.tried.outcome == Outcome::completed; }
 
+  /// True where neighbours that nobody could tell from one another part so far before the end that no picture
+  /// can be known up to there: no mesh would settle it. Says so.
+  bool parts_within_the_run() {
+    constexpr int elements = 8;
+    constexpr double share_of_length = 0.1;
+    const Candidate follower = cable_candidate(spec_, elements);
+    constexpr double evaluations = 2 * 12;  // two motions, steps of order 8
+    if (evaluations * follower.work > result_.safe_work) return false;
+    result_.search_work += evaluations * follower.work;
+    const TrajectoryDivergence parted =
+        divergence(with_candidate(spec_, follower), 0, share_of_length * spec_.cable.length);
+    if (parted.times.empty() || parted.beyond_end) return false;
+    result_.uncertain =
+        fmt::format("where the cable is after {:.3g} s: the motion is beyond its predictability horizon: {}",
+                    parted.horizon, parted.in_words);
+    return true;
+  }
+
   /// The full model on finer and finer meshes until one holds, and then once more: that proves it, and makes
   /// estimates of others sharper.
   void refine() {
@@ -113,6 +136,7 @@ class Search {
       }
       if (!done || elements < telling) continue;
       const bool holds_now = estimate_spine();
+      if (sees_nothing_) return;
       if (held && holds_now) return;
       held = holds_now;
     }
@@ -127,6 +151,8 @@ class Search {
     finest_ = whole.back();
     gauge_ = make_gauge_(finest_->trajectory);
     for (Member* member : whole) member->distances = so_far(gauge_(member->trajectory));
+    sees_nothing_ = finest_->distances.empty();
+    if (sees_nothing_) return false;
     const std::vector<double>& coarsest_of_three = whole[whole.size() - 3]->distances;
     const std::vector<double>& coarser = whole[whole.size() - 2]->distances;
     own_.resize(coarser.size());
@@ -251,7 +277,7 @@ class Search {
 
   /// From the cheapest candidate to the first that holds.
   void climb() {
-    if (finest_ == nullptr) return;
+    if (finest_ == nullptr || sees_nothing_) return;
     double limit = infinity;
     for (const Member& member : spine_)
       if (holds(member.tried)) limit = std::min(limit, member.tried.candidate.work);
@@ -286,7 +312,7 @@ class Search {
       result_.tried.push_back(member->tried);
     }
     if (result_.holds) return;
-    if (out_of_budget_ || chosen == nullptr) choose_safe();
+    if (out_of_budget_ || chosen == nullptr || sees_nothing_) choose_safe();
     say_what_is_uncertain();
   }
 
@@ -316,9 +342,12 @@ class Search {
 
   void choose_safe() {
     TriedCandidate safe;
-    safe.candidate = safe_candidate(spec_);
-    safe.why = out_of_budget_ ? "taken unproven: the search would cost more than this run"
-                              : "taken unproven: no three meshes of the full model came to their end";
+    safe.candidate = safe_;
+    safe.why = out_of_budget_  ? "taken unproven: the search would cost more than this run"
+               : sees_nothing_ ? "taken unproven: nothing of the cable is in the picture"
+               : !result_.uncertain.empty()
+                   ? "taken unproven: neighbouring motions part before the end"
+                   : "taken unproven: no three meshes of the full model came to their end";
     result_.chosen = static_cast<int>(result_.tried.size());
     result_.tried.push_back(std::move(safe));
   }
@@ -327,6 +356,10 @@ class Search {
     const double until = finest_ != nullptr ? finest_->tried.certain_until : 0;
     const std::string where =
         until > 0 ? fmt::format("where the cable is after {:.3g} s", until) : "where the cable is";
+    if (sees_nothing_) {
+      result_.uncertain = "what the picture shows: the cable is never in it, which proves nothing";
+      return;
+    }
     if (out_of_budget_)
       result_.uncertain = fmt::format(
           "{} within {:g} px: to tell it would cost more than one run at the safe default, which was taken",
@@ -336,20 +369,11 @@ class Search {
     else
       result_.uncertain = fmt::format("{} within {:g} px: meshes of up to {} elements do not agree on it",
                                       where, result_.tolerance, finest_->tried.candidate.cable.elements);
-    constexpr double falling = 2;  // errors that fall so from mesh to mesh would be small on a finer one
-    if (finest_ == nullptr || result_.observed_ratio >= falling) return;
-    // Neighbours that part tell whether any mesh could.
-    constexpr int elements = 8;
-    const double apart = 0.01 * spec_.cable.length;
-    const TrajectoryDivergence parted =
-        divergence(with_candidate(spec_, cable_candidate(spec_, elements)), 0, apart, start_distance, 5);
-    if (!parted.times.empty() && !parted.beyond_end)
-      result_.uncertain +=
-          fmt::format("; the motion is beyond its predictability horizon: {}", parted.in_words);
   }
 
   const Case& spec_;
   const MakeGauge& make_gauge_;
+  const Candidate safe_;
   Economy result_;
   std::deque<Member> spine_;    // the full model, mesh by mesh
   std::deque<Member> climbed_;  // the candidates below
@@ -357,6 +381,7 @@ class Search {
   PictureErrors gauge_;
   std::vector<double> own_;  // error of the finest, so far, a frame each
   bool out_of_budget_ = false;
+  bool sees_nothing_ = false;  // of the cable, in any frame
 };
 
 }  // namespace

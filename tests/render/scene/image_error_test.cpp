@@ -54,11 +54,28 @@ TEST(ImageErrorGauge, WhatIsNotInThePictureDoesNotCount) {
   SceneInput input = input_along_z();
   input.spec.camera->eye = {10, 0, 5};
   input.spec.camera->target = {10, 0, 0};
-  for (const double distance : ImageErrorGauge(truth, input).distances(moved(truth, {0.1, 0, 0})))
-    EXPECT_EQ(distance, 0);
+  EXPECT_TRUE(ImageErrorGauge(truth, input).distances(moved(truth, {0.1, 0, 0})).empty());
   // Into the picture.
   const std::vector<double> into = ImageErrorGauge(truth, input).distances(moved(truth, {10, 0, 0}));
   EXPECT_NEAR(*std::max_element(into.begin(), into.end()), 2500, 1e-6);
+}
+
+TEST(ImageErrorGauge, WhatIsOffBetweenTwoFramesOrAfterTheLastCounts) {
+  SceneInput input = input_along_z();
+  const Trajectory truth = swing();
+  Trajectory drawn = truth;
+  drawn.q[51].tail<6>()[1] += 0.02;  // 1.02 s, between frames 25 and 26
+  EXPECT_NEAR(ImageErrorGauge(truth, input).distances(drawn)[26], 5, 1e-9);
+  input.spec.tolerance = 1e4;
+  EXPECT_NEAR(ImageErrorGauge(truth, input).distances(drawn)[26], 0, 1e-9) << "no tip moves by so much";
+  // A motion that is over before the second frame.
+  input.spec.frame_rate = 0.3;
+  drawn = truth;
+  drawn.q.back().tail<6>()[1] += 0.02;
+  const std::vector<double> distances = ImageErrorGauge(truth, input).distances(drawn);
+  ASSERT_EQ(distances.size(), 2U);
+  EXPECT_EQ(distances[0], 0);
+  EXPECT_NEAR(distances[1], 5, 1e-9);
 }
 
 TEST(ImageErrorGauge, ARunThatEndsEarlyOrCannotBeDrawnIsInfinitelyFarOff) {

@@ -82,6 +82,8 @@ TEST(EconomyProgram, EndsWithOneWhereNothingHoldsAndSaysWhatIsUncertain) {
       plumb_in(folder.path(), {"run", "rod.toml", "-o", "out", "--set", "cable.youngs_modulus=1e5"});
   EXPECT_EQ(ended.status, 1) << ended.out << ended.err;
   EXPECT_NE(ended.out.find("Uncertain is where the cable is"), std::string::npos) << ended.out;
+  EXPECT_EQ(plumb_in(folder.path(), {"solve", "rod.toml", "--set", "cable.youngs_modulus=1e5"}).status, 1)
+      << "what is solved is no more proven";
 }
 
 TEST(EconomyProgram, WhatCannotBeLeftToTheSceneIsRefused) {
