@@ -172,9 +172,6 @@ struct ReferenceUse {
   friend bool operator==(const ReferenceUse&, const ReferenceUse&) = default;
 };
 
-/// The figure that every report has; no [[figure]] may take its name.
-inline constexpr std::string_view energy_figure_name = "energy";
-
 /// A plot of one column of the probes over another, or over time.
 struct FigureSpec {
   std::string name;     ///< unique, the PNG's file name
