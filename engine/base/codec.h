@@ -26,28 +26,31 @@
 ///
 /// and an enumeration its values, as `enum_values(E)` beside `word(E)`. What is kept in another form has
 /// `nlohmann::ordered_json to_stored(const T&)` and `void from_stored(const nlohmann::ordered_json&, T&)`.
-/// An optional without a value is left out.
+/// An optional without a value is left out. `a.said(name, value)` writes what follows from the members for
+/// those who read the file otherwise, with `value()`; it is not read back.
 namespace plumb {
 
-/// How a number that is not finite is written: as the string "inf", "-inf" or "nan", or as null, which
-/// results.json has and nothing reads back.
+/// How a number that is not finite is written: as the string "inf", "-inf" or "nan", or as null, as in
+/// results.json, which is read back as not a number.
 enum class NotFinite { word, null };
 
 template <class T>
 nlohmann::ordered_json encode(const T& value, NotFinite not_finite = NotFinite::word);
 /// Throws std::runtime_error or nlohmann::json::exception where something is missing or of the wrong type.
 template <class T>
-void decode(const nlohmann::ordered_json& json, T& value);
+void decode(const nlohmann::ordered_json& json, T& value, NotFinite not_finite = NotFinite::word);
 
 template <class T>
-T decoded(const nlohmann::ordered_json& json) {
+T decoded(const nlohmann::ordered_json& json, NotFinite not_finite = NotFinite::word) {
   T value{};
-  decode(json, value);
+  decode(json, value, not_finite);
   return value;
 }
 
 class ObjectWriter {
  public:
+  static constexpr bool reads = false;
+
   explicit ObjectWriter(NotFinite not_finite = NotFinite::word) : not_finite_(not_finite) {}
 
   template <class T>
@@ -58,6 +61,12 @@ class ObjectWriter {
   void operator()(const char* name, const std::optional<T>& value) {
     if (value) json[name] = encode(*value, not_finite_);
   }
+  template <class Value>
+  void said(const char* name, const Value& value) {
+    json[name] = encode(value(), not_finite_);
+  }
+  /// Whether there is something of that name: what the type says, or what the file has.
+  bool has(const char*, bool there) const { return there; }
 
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
 
@@ -67,19 +76,26 @@ class ObjectWriter {
 
 class ObjectReader {
  public:
-  explicit ObjectReader(const nlohmann::ordered_json& json) : json_(json) {}
+  static constexpr bool reads = true;
+
+  explicit ObjectReader(const nlohmann::ordered_json& json, NotFinite not_finite = NotFinite::word)
+      : json_(json), not_finite_(not_finite) {}
 
   template <class T>
   void operator()(const char* name, T& value) {
-    decode(json_.at(name), value);
+    decode(json_.at(name), value, not_finite_);
   }
   template <class T>
   void operator()(const char* name, std::optional<T>& value) {
-    if (json_.contains(name)) decode(json_.at(name), value.emplace());
+    if (json_.contains(name)) decode(json_.at(name), value.emplace(), not_finite_);
   }
+  template <class Value>
+  void said(const char*, const Value&) {}
+  bool has(const char* name, bool) const { return json_.contains(name); }
 
  private:
   const nlohmann::ordered_json& json_;
+  NotFinite not_finite_;
 };
 
 namespace codec {
@@ -103,13 +119,33 @@ struct IsPairs : std::false_type {};
 template <>
 struct IsPairs<std::vector<std::pair<std::string, std::string>>> : std::true_type {};
 
-inline double number(const nlohmann::ordered_json& json) {
+/// A list of a fixed length, as vectors and matrices of Eigen are.
+template <class T>
+concept IsFixed = IsArray<T>::value || requires {
+  T::SizeAtCompileTime;
+};
+
+inline double number(const nlohmann::ordered_json& json, NotFinite not_finite) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (json.is_number()) return json.get<double>();
+  if (json.is_null() && not_finite == NotFinite::null) return std::numeric_limits<double>::quiet_NaN();
   if (!json.is_string()) throw std::runtime_error("a number is missing");
   if (json == "nan") return std::numeric_limits<double>::quiet_NaN();
   if (json == "inf" || json == "-inf") return json == "inf" ? infinity : -infinity;
   throw std::runtime_error(one_line(fmt::format("'{}' is no number", json.get<std::string>())));
+}
+
+/// By the members, where a type has another way to JSON besides.
+template <class T>
+nlohmann::ordered_json encode_members(const T& value, NotFinite not_finite) {
+  ObjectWriter writer(not_finite);
+  members(writer, const_cast<T&>(value));  // which only reads
+  return std::move(writer.json);
+}
+template <class T>
+void decode_members(const nlohmann::ordered_json& json, T& value, NotFinite not_finite) {
+  ObjectReader reader(json, not_finite);
+  members(reader, value);
 }
 
 }  // namespace codec
@@ -119,6 +155,8 @@ nlohmann::ordered_json encode(const T& value, NotFinite not_finite) {
   using Json = nlohmann::ordered_json;
   if constexpr (requires { to_stored(value); }) {
     return to_stored(value);
+  } else if constexpr (std::is_same_v<T, Json>) {
+    return value;
   } else if constexpr (std::is_same_v<T, double>) {
     if (std::isfinite(value)) return value;
     if (not_finite == NotFinite::null) return nullptr;
@@ -131,7 +169,7 @@ nlohmann::ordered_json encode(const T& value, NotFinite not_finite) {
     Json list = Json::array();
     for (const auto& [name, of_it] : value) list.push_back({{"name", name}, {"value", of_it}});
     return list;
-  } else if constexpr (codec::IsList<T>::value) {
+  } else if constexpr (codec::IsList<T>::value || codec::IsFixed<T>) {
     Json list = Json::array();
     for (const auto& item : value) list.push_back(encode(item, not_finite));
     return list;
@@ -140,18 +178,16 @@ nlohmann::ordered_json encode(const T& value, NotFinite not_finite) {
     for (const auto& [name, item] : value) object[name] = encode(item, not_finite);
     return object;
   } else {
-    ObjectWriter writer(not_finite);
-    members(writer, const_cast<T&>(value));  // which only reads
-    return std::move(writer.json);
+    return codec::encode_members(value, not_finite);
   }
 }
 
 template <class T>
-void decode(const nlohmann::ordered_json& json, T& value) {
+void decode(const nlohmann::ordered_json& json, T& value, NotFinite not_finite) {
   if constexpr (requires { from_stored(json, value); }) {
     from_stored(json, value);
   } else if constexpr (std::is_same_v<T, double>) {
-    value = codec::number(json);
+    value = codec::number(json, not_finite);
   } else if constexpr (std::is_enum_v<T>) {
     const auto name = json.get<std::string>();
     for (const T any : enum_values(value))
@@ -177,20 +213,20 @@ void decode(const nlohmann::ordered_json& json, T& value) {
       for (const auto& item : json)
         value.emplace_back(one_line(item.at("name").template get<std::string>()),
                            one_line(item.at("value").template get<std::string>()));
-  } else if constexpr (codec::IsArray<T>::value) {
-    if (!json.is_array() || json.size() != value.size())
+  } else if constexpr (codec::IsFixed<T>) {
+    if (!json.is_array() || json.size() != static_cast<std::size_t>(value.size()))
       throw std::runtime_error(fmt::format("a list of {} is missing", value.size()));
-    for (std::size_t k = 0; k < value.size(); ++k) decode(json[k], value[k]);
+    auto item = value.begin();
+    for (const auto& stored : json) decode(stored, *item++, not_finite);
   } else if constexpr (codec::IsList<T>::value) {
     if (!json.is_array()) throw std::runtime_error("a list is missing");
     value.clear();
-    for (const auto& item : json) decode(item, value.emplace_back());
+    for (const auto& item : json) decode(item, value.emplace_back(), not_finite);
   } else if constexpr (codec::IsMap<T>::value) {
     if (!json.is_object()) throw std::runtime_error("an object is missing");
-    for (const auto& [name, item] : json.items()) decode(item, value[name]);
+    for (const auto& [name, item] : json.items()) decode(item, value[name], not_finite);
   } else {
-    ObjectReader reader(json);
-    members(reader, value);
+    codec::decode_members(json, value, not_finite);
   }
 }
 

@@ -32,7 +32,7 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[n]) {
 }
 
 constexpr std::string_view run_names[] = {"run.h5", "probes.csv"};
-constexpr std::string_view page_names[] = {"index.html", "results.json", "junit.xml", "summary.md"};
+constexpr std::string_view page_names[] = {"index.html", "results.json"};
 constexpr std::string_view animation_names[] = {"animation.png", "player.png"};
 constexpr std::string_view other_names[] = {"study.h5", "study.json", "choice.json", "assessment.json",
                                             "points.jsonl"};
@@ -80,8 +80,10 @@ void find_others(int folder, const std::string& prefix, const ListedFiles& files
 
 }  // namespace
 
-bool belongs_to(FolderContent content, std::string_view name) {
-  const bool run = is_one_of(name, run_names), page = is_one_of(name, page_names) || is_figure(name),
+bool belongs_to(FolderContent content, std::string_view name, std::span<const std::string_view> formats) {
+  const bool run = is_one_of(name, run_names),
+             page = is_one_of(name, page_names) || is_figure(name) ||
+                    std::find(formats.begin(), formats.end(), name) != formats.end(),
              picture = is_figure(name) || is_numbered_frame(name) || is_one_of(name, animation_names);
   switch (content) {
     case FolderContent::run:
@@ -98,7 +100,8 @@ bool belongs_to(FolderContent content, std::string_view name) {
   return false;
 }
 
-FolderSurvey look_into(const std::string& path, FolderContent content) {
+FolderSurvey look_into(const std::string& path, FolderContent content,
+                       std::span<const std::string_view> formats) {
   FolderSurvey survey{open_folder(path)};
   if (!survey.folder) {
     if (errno != ENOENT) throw std::system_error(errno, std::generic_category());
@@ -108,7 +111,7 @@ FolderSurvey look_into(const std::string& path, FolderContent content) {
   survey.ours = files_that_are_ours(survey.folder.get(), survey.manifest.manifest);
   if (content != FolderContent::copies)
     std::erase_if(survey.ours,
-                  [](const auto& file) { return !belongs_to(FolderContent::results, file.first); });
+                  [&](const auto& file) { return !belongs_to(FolderContent::results, file.first, formats); });
   find_others(survey.folder.get(), "", survey.ours, survey.manifest.manifest.all(), survey.others);
   if (survey.manifest.there && survey.manifest.fault.empty()) survey.others.erase(manifest_name);
   return survey;

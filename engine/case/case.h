@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/case/key.h"
 #include "engine/case/report_specs.h"
 #include "engine/case/scene_settings.h"
 #include "engine/case/study_specs.h"
@@ -22,8 +23,7 @@ enum class CableModel {
   /// with λ the ratio of lengths. Slopes are no unknowns; those of outputs follow the neighbouring nodes.
   chain,
   /// A rigid rod on a joint at its first end, which does not turn about its own axis: a spherical pendulum.
-  /// It
-  /// neither stretches nor bends; its nodes lie on a straight line.
+  /// It neither stretches nor bends; its nodes lie on a straight line.
   rigid,
 };
 
@@ -65,18 +65,53 @@ constexpr int most_elements_of_a_cable = 1'000'000;
 
 /// The cable as a continuum and its mesh. All lengths and areas are those of the undeformed cable.
 struct CableSpec {
-  double length = 0;          ///< L, m, > 0
-  double area = 0;            ///< A, m², > 0
-  double density = 0;         ///< ρ, kg/m³, > 0
-  double youngs_modulus = 0;  ///< E, Pa, > 0
-  double second_moment = 0;   ///< I, m⁴, ≥ 0; of a circular section, A²/4π, unless given
-  int elements = 0;           ///< 1 to 1,000,000, of equal length
+  double length = 0;          ///< L, m
+  double area = 0;            ///< A, m²
+  double density = 0;         ///< ρ, kg/m³
+  double youngs_modulus = 0;  ///< E, Pa
+  double second_moment = 0;   ///< I, m⁴; of a circular section, A²/4π, unless given
+  int elements = 0;           ///< of equal length
   CableModel model = CableModel::cable;
   StrainModel strain = StrainModel::green_geometric;
   QuadratureRule quadrature = QuadratureRule::full;
 
   friend bool operator==(const CableSpec&, const CableSpec&) = default;
 };
+
+void visit_keys(SpecOf<CableSpec> auto& cable, auto&& visit) {
+  visit(Key{.name = "length", .meaning = "length L", .range = Range::positive("m"), .required = true},
+        cable.length);
+  visit(Key{.name = "area", .meaning = "area A", .range = Range::positive("m²"), .required = true},
+        cable.area);
+  visit(Key{.name = "density", .meaning = "density ρ", .range = Range::positive("kg/m³"), .required = true},
+        cable.density);
+  visit(Key{.name = "youngs_modulus",
+            .meaning = "Young's modulus E",
+            .range = Range::positive("Pa"),
+            .required = true},
+        cable.youngs_modulus);
+  visit(Key{.name = "second_moment",
+            .meaning = "second moment of area I",
+            .range = Range::at_least(0, "m⁴"),
+            .not_of_chain = true,
+            .not_of_rigid = true},
+        cable.second_moment);
+  visit(Key{.name = "elements",
+            .meaning = "elements",
+            .range = Range::whole_between(1, most_elements_of_a_cable),
+            .required = true,
+            .of_computation = true},
+        cable.elements);
+  visit(Key{.name = "model", .meaning = "model", .of_computation = true}, cable.model);
+  visit(Key{.name = "strain", .meaning = "strain model", .of_computation = true, .not_of_rigid = true},
+        cable.strain);
+  visit(Key{.name = "quadrature",
+            .meaning = "quadrature",
+            .of_computation = true,
+            .not_of_chain = true,
+            .not_of_rigid = true},
+        cable.quadrature);
+}
 
 /// The cable starts straight and unstretched, with its first end at the origin.
 struct StartSpec {
@@ -90,6 +125,20 @@ struct StartSpec {
   friend bool operator==(const StartSpec&, const StartSpec&) = default;
 };
 
+void visit_keys(SpecOf<StartSpec> auto& start, auto&& visit) {
+  visit(Key{.name = "direction", .meaning = "direction at the start"}, start.direction);
+  visit(Key{.name = "angular_velocity",
+            .meaning = "angular velocity at the start",
+            .range = Range::any("rad/s")},
+        start.angular_velocity);
+  visit(Key{.name = "slope_rates", .meaning = "slope rates at the start", .of_computation = true},
+        start.slope_rates);
+  visit(Key{.name = "axial_speed",
+            .meaning = "axial speed of the last end at the start",
+            .range = Range::any("m/s")},
+        start.axial_speed);
+}
+
 struct SupportsSpec {
   Support first = Support::free;
   Support last = Support::free;
@@ -97,6 +146,12 @@ struct SupportsSpec {
   friend bool operator==(const SupportsSpec&, const SupportsSpec&) = default;
 };
 
+void visit_keys(SpecOf<SupportsSpec> auto& supports, auto&& visit) {
+  visit(Key{.name = "first", .meaning = "support of the first end"}, supports.first);
+  visit(Key{.name = "last", .meaning = "support of the last end"}, supports.last);
+}
+
+/// What a load does to the cable is said in model/load.cpp.
 struct LoadsSpec {
   Vec3 gravity{0, 0, 0};    ///< m/s²
   Vec3 end_force{0, 0, 0};  ///< on the last end, in a fixed direction, N
@@ -104,18 +159,11 @@ struct LoadsSpec {
   friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
 };
 
-/// A key of [loads]: all that reading and showing it needs. What it does to the cable is said in
-/// model/load.cpp.
-struct LoadKey {
-  std::string_view name;
-  Vec3 LoadsSpec::*value;
-  std::string_view unit;
-  std::string_view meaning;  ///< "force on the last end"
-};
-inline constexpr std::array load_keys{
-    LoadKey{"gravity", &LoadsSpec::gravity, "m/s²", "gravity"},
-    LoadKey{"end_force", &LoadsSpec::end_force, "N", "force on the last end"},
-};
+void visit_keys(SpecOf<LoadsSpec> auto& loads, auto&& visit) {
+  visit(Key{.name = "gravity", .meaning = "gravity", .range = Range::any("m/s²")}, loads.gravity);
+  visit(Key{.name = "end_force", .meaning = "force on the last end", .range = Range::any("N")},
+        loads.end_force);
+}
 
 /// The name of [method] that leaves model, mesh and method to what the scene needs. It is put in the place of
 /// a method before anything is integrated.
@@ -133,21 +181,43 @@ struct MethodSpec {
 };
 
 struct TimeSpec {
-  double end = 0;              ///< s, > 0
-  double output_interval = 0;  ///< s, in (0, end]; the end itself is always an output
+  double end = 0;              ///< s
+  double output_interval = 0;  ///< s, at most the end; the end itself is always an output
 
   friend bool operator==(const TimeSpec&, const TimeSpec&) = default;
 };
+
+void visit_keys(SpecOf<TimeSpec> auto& time, auto&& visit) {
+  visit(Key{.name = "end",
+            .meaning = "end time",
+            .range = Range::positive("s"),
+            .required = true,
+            .of_computation = true},
+        time.end);
+  visit(Key{.name = "output_interval",
+            .meaning = "time between outputs",
+            .range = Range::positive("s"),
+            .required = true,
+            .of_computation = true},
+        time.output_interval);
+}
 
 enum class Quantity { position, velocity, slope, axial_strain, axial_force, curvature, bending_moment };
 
 struct ProbeSpec {
   std::string name;  ///< unique; letters, digits, - and _, and not "t"
-  double at = 0;     ///< material coordinate as a fraction of the length, in [0, 1]
+  double at = 0;     ///< material coordinate as a fraction of the length
   Quantity quantity = Quantity::position;
 
   friend bool operator==(const ProbeSpec&, const ProbeSpec&) = default;
 };
+
+void visit_keys(SpecOf<ProbeSpec> auto& probe, auto&& visit) {
+  visit(Key{.name = "name", .meaning = "a name", .required = true}, probe.name);
+  visit(Key{.name = "at", .range = Range::between(0, 1, "fraction of the length"), .required = true},
+        probe.at);
+  visit(Key{.name = "quantity"}, probe.quantity);
+}
 
 enum class Norm { max, rms };
 
@@ -172,9 +242,6 @@ struct ReferenceUse {
   friend bool operator==(const ReferenceUse&, const ReferenceUse&) = default;
 };
 
-/// The figure that every report has; no [[figure]] may take its name.
-inline constexpr std::string_view energy_figure_name = "energy";
-
 /// A plot of one column of the probes over another, or over time.
 struct FigureSpec {
   std::string name;     ///< unique, the PNG's file name
@@ -194,25 +261,41 @@ struct FigureSpec {
 struct StudyExtent {
   std::vector<int> elements;         ///< meshes, rising, the case's own among them
   std::vector<std::string> methods;  ///< names, in the order of method_infos()
-  int points = 0;                    ///< runs a curve, 3 to 20
-  int repeats = 0;                   ///< timed runs of each, 1 to 50
-  double time_limit = 0;             ///< of one run, s, > 0
+  int points = 0;                    ///< runs a curve
+  int repeats = 0;                   ///< timed runs of each
+  double time_limit = 0;             ///< of one run, s
 
   friend bool operator==(const StudyExtent&, const StudyExtent&) = default;
 };
+
+/// All but its lists.
+void visit_keys(SpecOf<StudyExtent> auto& extent, auto&& visit) {
+  visit(Key{.name = "points", .range = Range::whole_between(3, 20)}, extent.points);
+  visit(Key{.name = "repeats", .range = Range::whole_between(1, 50)}, extent.repeats);
+  visit(Key{.name = "time_limit", .range = Range::positive("s")}, extent.time_limit);
+}
 
 /// [study.work_precision]: every method over steps or tolerances and meshes.
 struct WorkPrecisionSpec {
   double end = 0;                 ///< s; at most that of the case
   double largest_step = 0;        ///< s
   double smallest_step = 0;       ///< s, less than the largest
-  double loosest_tolerance = 0;   ///< rtol and atol, in (0, 1)
+  double loosest_tolerance = 0;   ///< rtol and atol
   double tightest_tolerance = 0;  ///< less than the loosest
   StudyExtent full;
   StudyExtent quick;
 
   friend bool operator==(const WorkPrecisionSpec&, const WorkPrecisionSpec&) = default;
 };
+
+/// All but its extents.
+void visit_keys(SpecOf<WorkPrecisionSpec> auto& study, auto&& visit) {
+  visit(Key{.name = "end", .range = Range::positive("s")}, study.end);
+  visit(Key{.name = "largest_step", .range = Range::positive("s")}, study.largest_step);
+  visit(Key{.name = "smallest_step", .range = Range::positive("s")}, study.smallest_step);
+  visit(Key{.name = "loosest_tolerance", .range = Range::below_one()}, study.loosest_tolerance);
+  visit(Key{.name = "tightest_tolerance", .range = Range::below_one()}, study.tightest_tolerance);
+}
 
 /// What a case file says, checked.
 struct Case {
@@ -239,6 +322,14 @@ struct Case {
 
   friend bool operator==(const Case&, const Case&) = default;
 };
+
+/// Shows the tables that say what moves: `visit(name, spec)` for each, in order.
+void visit_motion(SpecOf<Case> auto& spec, auto&& visit) {
+  visit("cable", spec.cable);
+  visit("start", spec.start);
+  visit("supports", spec.supports);
+  visit("loads", spec.loads);
+}
 
 /// The work-precision study of a case: what its table says, or the defaults where it has none.
 WorkPrecisionSpec work_precision_of(const Case& spec);

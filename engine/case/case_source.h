@@ -23,6 +23,13 @@ struct CaseSource {
   std::vector<std::string> overrides;      ///< "cable.elements=8", as after --set
   std::vector<NamedText> references;       ///< text of each [[reference]] file, named by its `file` key
   std::vector<NamedText> given_runs = {};  ///< bytes of each [[run]] file, named by its `file` key
+
+  /// The same with further overrides after its own.
+  CaseSource with(const std::vector<std::string>& more) const {
+    CaseSource changed = *this;
+    changed.overrides.insert(changed.overrides.end(), more.begin(), more.end());
+    return changed;
+  }
 };
 
 /// A checked case with the references and runs that it names, in the orders of `Case`.

@@ -10,4 +10,8 @@ inline constexpr std::array words_of<Distribution>{
     Word<Distribution>{Distribution::uniform, "uniform"},
 };
 
+inline std::array<Distribution, 2> enum_values(Distribution) {
+  return {Distribution::normal, Distribution::uniform};
+}
+
 }  // namespace plumb

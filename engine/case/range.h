@@ -26,6 +26,9 @@ struct Range {
     return {.low = low, .high = high, .whole = true, .unit = {}};
   }
 
+  /// Of a seed of random numbers.
+  static Range seed() { return whole_between(0, 1e15); }
+
   bool contains(double x) const;
   /// "a number greater than 0 (m)", "a whole number from 1 to 5": what follows "must be".
   std::string allowed() const;

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "engine/case/key.h"
+
 namespace plumb {
 
 using Vec3 = Eigen::Vector3d;
@@ -46,23 +48,39 @@ enum class SceneBackground {
 enum class ColorField { none, axial_strain, axial_force, curvature, bending_moment, speed };
 
 struct SceneSpec {
-  std::array<int, 2> size{960, 540};  ///< pixels, 16 to 32768 each, at most 1.5e8 in all
-  double frame_rate = 25;             ///< frames a second of simulated time, > 0; at most 100,000 frames
-  int supersampling = 2;              ///< samples along each side of a pixel, 1 to 4
+  std::array<int, 2> size{960, 540};  ///< pixels, at most 1.5e8 in all
+  double frame_rate = 25;             ///< frames a second of simulated time; at most 100,000 frames
+  int supersampling = 2;              ///< samples along each side of a pixel
   double cable_radius = 0;            ///< as drawn, m; 0: the true radius, but at least L/150
   View view = View::fit;
   std::optional<CameraSpec> camera;  ///< in the place of `view`
   SceneTheme theme = SceneTheme::light;
   SceneBackground background = SceneBackground::scene;
   ColorField color_by = ColorField::none;
-  int ghosts = 0;               ///< earlier times shown, faded, 0 to 50
-  double ghost_interval = 0.1;  ///< between them, s, > 0
-  /// Greatest distance on the picture between the drawn centre line and the true one, pixels, > 0; what a
-  /// model is chosen by that costs no more than the scene needs.
+  int ghosts = 0;               ///< earlier times shown, faded
+  double ghost_interval = 0.1;  ///< between them, s
+  /// Greatest distance on the picture between the drawn centre line and the true one, pixels; what a model is
+  /// chosen by that costs no more than the scene needs.
   double tolerance = 0.5;
-  std::optional<double> trail;  ///< how long the tip's trail is seen, s, ≥ 0; default: 32 frames
+  std::optional<double> trail;  ///< how long the tip's trail is seen, s; default: 32 frames
 
   friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
+
+/// All but the camera.
+void visit_keys(SpecOf<SceneSpec> auto& scene, auto&& visit) {
+  visit(Key{.name = "size", .range = Range::whole_between(16, 32768)}, scene.size);
+  // The range of the delay between two frames in an animated PNG.
+  visit(Key{.name = "frame_rate", .range = Range::between(0.02, 1000, "1/s")}, scene.frame_rate);
+  visit(Key{.name = "supersampling", .range = Range::whole_between(1, 4)}, scene.supersampling);
+  visit(Key{.name = "cable_radius", .range = Range::at_least(0, "m")}, scene.cable_radius);
+  visit(Key{.name = "theme"}, scene.theme);
+  visit(Key{.name = "background"}, scene.background);
+  visit(Key{.name = "color_by"}, scene.color_by);
+  visit(Key{.name = "ghosts", .range = Range::whole_between(0, 50)}, scene.ghosts);
+  visit(Key{.name = "ghost_interval", .range = Range::positive("s")}, scene.ghost_interval);
+  visit(Key{.name = "tolerance", .range = Range::positive("pixels")}, scene.tolerance);
+  visit(Key{.name = "trail", .range = Range::at_least(0, "s")}, scene.trail);
+}
 
 }  // namespace plumb

@@ -17,16 +17,28 @@ struct StabilitySpec {
   std::vector<std::string> methods;      ///< names, in the order of method_infos()
   double largest_step = 0;               ///< s
   double smallest_step = 0;              ///< s, less than the largest
-  double loosest_tolerance = 0;          ///< rtol and atol, in (0, 1), of methods that take no step
+  double loosest_tolerance = 0;          ///< rtol and atol, of methods that take no step
   double tightest_tolerance = 0;         ///< less than the loosest
-  int steps = 0;                         ///< of a map, 3 to 60, of equal ratio
-  double tolerance = 0;   ///< greatest distance of a node to the reference in an accurate run, m, > 0
-  double time_limit = 0;  ///< of one run, s, > 0
+  int steps = 0;                         ///< of a map, of equal ratio
+  double tolerance = 0;   ///< greatest distance of a node to the reference in an accurate run, m
+  double time_limit = 0;  ///< of one run, s
   std::vector<std::string> limit_methods;  ///< whose critical step is found by bisection
   double energy_step = 0;                  ///< s, of the runs whose energy is drawn over time
 
   friend bool operator==(const StabilitySpec&, const StabilitySpec&) = default;
 };
+
+/// All but the parameter and the lists.
+void visit_keys(SpecOf<StabilitySpec> auto& study, auto&& visit) {
+  visit(Key{.name = "largest_step", .range = Range::positive("s")}, study.largest_step);
+  visit(Key{.name = "smallest_step", .range = Range::positive("s")}, study.smallest_step);
+  visit(Key{.name = "loosest_tolerance", .range = Range::below_one()}, study.loosest_tolerance);
+  visit(Key{.name = "tightest_tolerance", .range = Range::below_one()}, study.tightest_tolerance);
+  visit(Key{.name = "steps", .range = Range::whole_between(3, 60)}, study.steps);
+  visit(Key{.name = "tolerance", .range = Range::positive("m")}, study.tolerance);
+  visit(Key{.name = "time_limit", .range = Range::positive("s")}, study.time_limit);
+  visit(Key{.name = "energy_step", .range = Range::positive("s")}, study.energy_step);
+}
 
 /// [[study.variant.expect]]: a figure that a variant is to show.
 struct ExpectationSpec {
@@ -58,23 +70,37 @@ struct VariantSpec {
 
 /// [study.sweep]: random cases near the one of the file.
 struct SweepSpec {
-  int cases = 0;          ///< 1 to 1,000,000
-  long seed = 0;          ///< ≥ 0; case k depends on the seed and k alone
-  double tolerance = 0;   ///< greatest distance of a node to the reference in an accurate run, m, > 0
-  double time_limit = 0;  ///< of one run, s, > 0
+  int cases = 0;
+  long seed = 0;          ///< case k depends on the seed and k alone
+  double tolerance = 0;   ///< greatest distance of a node to the reference in an accurate run, m
+  double time_limit = 0;  ///< of one run, s
 
   friend bool operator==(const SweepSpec&, const SweepSpec&) = default;
 };
+
+void visit_keys(SpecOf<SweepSpec> auto& study, auto&& visit) {
+  visit(Key{.name = "cases", .range = Range::whole_between(1, 1e6)}, study.cases);
+  visit(Key{.name = "seed", .range = Range::seed()}, study.seed);
+  visit(Key{.name = "tolerance", .range = Range::positive("m")}, study.tolerance);
+  visit(Key{.name = "time_limit", .range = Range::positive("s")}, study.time_limit);
+}
 
 /// [study.economy]: what scenes of several sizes need, and random ones, each proven by a reference.
 struct EconomySpec {
   std::vector<int> widths;             ///< of the picture, pixels, rising; its shape is that of the scene
   std::optional<CameraSpec> close_up;  ///< a second camera, beside that of the scene
-  int scenes = 0;                      ///< random ones, 0 to 100,000
-  long seed = 0;                       ///< ≥ 0; scene k depends on the seed and k alone
+  int scenes = 0;                      ///< random ones
+  long seed = 0;                       ///< scene k depends on the seed and k alone
   int reference_elements = 0;  ///< at least; the reference is twice as fine as what is held against it
 
   friend bool operator==(const EconomySpec&, const EconomySpec&) = default;
 };
+
+/// All but the widths and the camera.
+void visit_keys(SpecOf<EconomySpec> auto& study, auto&& visit) {
+  visit(Key{.name = "scenes", .range = Range::whole_between(0, 1e5)}, study.scenes);
+  visit(Key{.name = "seed", .range = Range::seed()}, study.seed);
+  visit(Key{.name = "reference_elements", .range = Range::whole_between(2, 4096)}, study.reference_elements);
+}
 
 }  // namespace plumb

@@ -106,9 +106,9 @@ StabilitySpec stability_of(const Case& spec);
 /// [study.sweep]; an empty table gives the defaults.
 SweepSpec read_sweep(TableReader table, const CableSpec& cable);
 
-/// The key `tolerance` of a study that calls runs accurate, m; at most the length of the cable, as hardly any
-/// run is further off than that.
-double read_accuracy(TableReader& table, const CableSpec& cable, double fallback);
+/// Refuses a key `tolerance` (m) of a study that calls runs accurate beyond the length of the cable, as
+/// hardly any run is further off than that.
+void check_accuracy(const TableReader& table, double tolerance, const CableSpec& cable);
 SweepSpec default_sweep(const CableSpec& cable);
 
 /// [study.economy]; an empty table gives the defaults.

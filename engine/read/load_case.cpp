@@ -264,14 +264,12 @@ LoadedCase load_case(const CaseSource& source, const SectionUse& uses) {
   return read_case(source.file, source.overrides, texts_of(source), Extent::everything, uses);
 }
 
-LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
-  std::vector<std::string> overrides = source.overrides;
-  overrides.insert(overrides.end(), variant.overrides.begin(), variant.overrides.end());
-  return read_case(source.file, overrides, texts_of(source), Extent::without_studies);
-}
-
 LoadedCase load_without_studies(const CaseSource& source) {
   return read_case(source.file, source.overrides, texts_of(source), Extent::without_studies);
+}
+
+LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
+  return load_without_studies(source.with(variant.overrides));
 }
 
 LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {

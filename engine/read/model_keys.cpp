@@ -8,14 +8,22 @@
 
 namespace plumb {
 
+std::vector<std::string_view> foreign_keys(CableModel model) {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys_of<CableSpec>())
+    if (model == CableModel::chain ? key.not_of_chain : model == CableModel::rigid && key.not_of_rigid)
+      names.push_back(key.name);
+  return names;
+}
+
 std::vector<std::string> drop_keys_of_other_models(TomlValue& merged) {
   TomlValue* cable = merged.find("cable");
   if (cable == nullptr || cable->kind != TomlValue::Kind::table) return {};
   const TomlValue* model = cable->find("model");
   if (model == nullptr || !model->place.in_override()) return {};
-  std::vector<std::string> foreign;
-  if (model->string == word(CableModel::chain)) foreign = {"second_moment", "quadrature"};
-  if (model->string == word(CableModel::rigid)) foreign = {"second_moment", "quadrature", "strain"};
+  std::vector<std::string_view> foreign;
+  for (const auto& known : words_of<CableModel>)
+    if (known.word == model->string) foreign = foreign_keys(known.value);
   const std::string name = model->string;
   std::vector<std::string> remarks;
   std::erase_if(cable->items, [&](const TomlValue& item) {

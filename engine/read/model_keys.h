@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/case/case.h"
@@ -8,6 +9,9 @@
 #include "engine/read/toml_value.h"
 
 namespace plumb {
+
+/// Those of [cable] that mean nothing to a model.
+std::vector<std::string_view> foreign_keys(CableModel model);
 
 /// Where an override has made the cable a chain or a rigid rod, takes the keys of the file's [cable] that
 /// these do not have out of `merged`. Returns a remark each.

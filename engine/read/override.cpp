@@ -116,4 +116,13 @@ void apply_override(TomlValue& root, const std::string& text) {
   *at = std::move(value);
 }
 
+void refuse_key(const CaseSource& source, const std::string& key, std::string_view what) {
+  TomlValue root = parse_toml(source.file);
+  for (const std::string& text : source.overrides) apply_override(root, text);
+  TomlValue* at = &root;
+  for (const std::string& part : split(key))
+    if (TomlValue* next = step_into(*at, key, part, root.place)) at = next;
+  refuse(at->place, key, at->written, std::string(what));
+}
+
 }  // namespace plumb

@@ -7,7 +7,7 @@
 namespace plumb {
 namespace {
 
-constexpr int smallest_side = 16, largest_side = 32768, most_reference_elements = 4096;
+constexpr int smallest_side = 16, largest_side = 32768;
 
 }  // namespace
 
@@ -16,8 +16,7 @@ EconomySpec default_economy(const SceneSpec& scene) {
 }
 
 EconomySpec read_economy(TableReader table, const SceneSpec& scene) {
-  constexpr int most_scenes = 100000;
-  constexpr double greatest_seed = 1e15, most_pixels = 1.5e8;
+  constexpr double most_pixels = 1.5e8;
   EconomySpec spec = default_economy(scene);
   if (const auto widths = table.wholes("widths", smallest_side, largest_side)) {
     spec.widths = *widths;
@@ -25,11 +24,7 @@ EconomySpec read_economy(TableReader table, const SceneSpec& scene) {
     spec.widths.erase(std::unique(spec.widths.begin(), spec.widths.end()), spec.widths.end());
   }
   if (table.has("close_up")) spec.close_up = read_camera(table.table("close_up"));
-  spec.scenes = table.whole("scenes", 0, most_scenes, spec.scenes);
-  spec.seed = static_cast<long>(
-      table.number("seed", Range::whole_between(0, greatest_seed), static_cast<double>(spec.seed)));
-  spec.reference_elements =
-      table.whole("reference_elements", 2, most_reference_elements, spec.reference_elements);
+  table.read(spec);
   table.finish();
   for (const int width : spec.widths) {
     const double height = 1.0 * width * scene.size[1] / scene.size[0];

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/base/nearest.h"
-#include "engine/case/figure_names.h"
 #include "engine/case/name_rule.h"
 #include "engine/case/probe_columns.h"
 #include "engine/read/case_sections.h"
@@ -59,8 +58,6 @@ std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std:
     table.finish();
 
     if (!follows_name_rule(figure.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
-    if (std::find(run_figure_names.begin(), run_figure_names.end(), figure.name) != run_figure_names.end())
-      table.refuse_value("name", "is the name of a figure that every run has");
     const auto same = [&](const FigureSpec& other) { return other.name == figure.name; };
     if (std::any_of(figures.begin(), figures.end(), same))
       table.refuse_value("name", "is the name of another figure");

@@ -59,11 +59,10 @@ void check_step(const TableReader& table, double step, const TimeSpec& time) {
 TimeSpec read_time(TableReader table, std::optional<double> end) {
   constexpr double most_outputs = 1e6;
   TimeSpec time;
-  time.end =
-      end ? table.number("end", Range::positive("s"), *end) : table.number("end", Range::positive("s"));
+  time.end = end.value_or(0);
+  table.read(time, !end);
   // An external run has its own times, and no outputs of ours.
-  time.output_interval = end ? table.number("output_interval", Range::positive("s"), time.end)
-                             : table.number("output_interval", Range::positive("s"));
+  if (end && !table.has("output_interval")) time.output_interval = time.end;
   table.finish();
 
   if (time.output_interval > time.end) {

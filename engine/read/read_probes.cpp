@@ -12,9 +12,7 @@ std::vector<ProbeSpec> read_probes(std::vector<TableReader> tables) {
   std::set<std::string> names;
   for (TableReader& table : tables) {
     ProbeSpec probe;
-    probe.name = table.text("name", "a name");
-    probe.at = table.number("at", Range::between(0, 1, "fraction of the length"));
-    probe.quantity = table.choice<Quantity>("quantity", Quantity::position);
+    table.read(probe);
     table.finish();
 
     if (!follows_name_rule(probe.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));

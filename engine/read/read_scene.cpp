@@ -31,31 +31,15 @@ CameraSpec read_camera(TableReader table) {
 }
 
 SceneSpec read_scene(TableReader table, const TimeSpec& time) {
-  constexpr int smallest = 16, largest = 32768;
   constexpr double most_pixels = 1.5e8;
   constexpr double most_frames = 1e5;
-  // What an animated PNG can say of a frame's delay.
-  constexpr double lowest_rate = 0.02, highest_rate = 1000;
   SceneSpec scene;
-  if (const auto size = table.numbers("size", 2, Range::whole_between(smallest, largest))) {
-    scene.size = {static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
-  }
-  scene.frame_rate =
-      table.number("frame_rate", Range::between(lowest_rate, highest_rate, "1/s"), scene.frame_rate);
-  scene.supersampling = table.whole("supersampling", 1, 4, scene.supersampling);
-  scene.cable_radius = table.number("cable_radius", Range::at_least(0, "m"), scene.cable_radius);
+  table.read(scene);
   if (table.is_text("camera")) {
     scene.view = table.choice<View>("camera");
   } else if (table.has("camera")) {
     scene.camera = read_camera(table.table("camera"));
   }
-  scene.theme = table.choice<SceneTheme>("theme", scene.theme);
-  scene.background = table.choice<SceneBackground>("background", scene.background);
-  scene.color_by = table.choice<ColorField>("color_by", scene.color_by);
-  scene.ghosts = table.whole("ghosts", 0, 50, scene.ghosts);
-  scene.ghost_interval = table.number("ghost_interval", Range::positive("s"), scene.ghost_interval);
-  scene.tolerance = table.number("tolerance", Range::positive("pixels"), scene.tolerance);
-  scene.trail = table.optional_number("trail", Range::at_least(0, "s"));
   table.finish();
   if (scene.tolerance > std::max(scene.size[0], scene.size[1]))
     table.refuse_value("tolerance", fmt::format("must be at most as many pixels as the picture has, {}",

@@ -11,7 +11,6 @@
 namespace plumb {
 namespace {
 
-constexpr int fewest_steps_of_a_map = 3, most_steps_of_a_map = 60;
 constexpr double most_steps_of_a_run = 1e9;
 constexpr const char* usual_parameter = "f";
 
@@ -152,16 +151,10 @@ StabilitySpec read_stability(TableReader table, const std::map<std::string, doub
   }
   read_methods(table, "methods", dynamic_methods(), spec.methods);
   read_methods(table, "limit_methods", methods_with_steps(), spec.limit_methods);
-  spec.largest_step = table.number("largest_step", Range::positive("s"), 0);
-  spec.smallest_step = table.number("smallest_step", Range::positive("s"), 0);
-  spec.loosest_tolerance = table.number("loosest_tolerance", Range::below_one(), spec.loosest_tolerance);
-  spec.tightest_tolerance = table.number("tightest_tolerance", Range::below_one(), spec.tightest_tolerance);
-  spec.steps = table.whole("steps", fewest_steps_of_a_map, most_steps_of_a_map, spec.steps);
-  spec.tolerance = read_accuracy(table, cable, spec.tolerance);
-  spec.time_limit = table.number("time_limit", Range::positive("s"), spec.time_limit);
-  spec.energy_step = table.number("energy_step", Range::positive("s"), 0);
+  table.read(spec);
   table.finish();
 
+  check_accuracy(table, spec.tolerance, cable);
   set_default_steps(spec, cable);
   check_steps(table, spec, time);
   suit_case(spec, time);

@@ -37,12 +37,10 @@ UncertainInput read_input(TableReader& table, const Case& spec, const std::vecto
 
 UncertaintySpec read_uncertainty(TableReader table, const Case& spec) {
   constexpr int most_samples = 10000;
-  constexpr double greatest_seed = 1e15;
   UncertaintySpec read;
   read.numerical = table.flag("numerical", true);
   read.samples = table.whole("samples", 0, most_samples, 0);
-  read.seed = static_cast<long>(
-      table.number("seed", Range::whole_between(0, greatest_seed), static_cast<double>(read.seed)));
+  read.seed = static_cast<long>(table.number("seed", Range::seed(), static_cast<double>(read.seed)));
   std::vector<TableReader> inputs = table.tables("input");
   table.finish();
 

@@ -8,8 +8,6 @@
 namespace plumb {
 namespace {
 
-constexpr int fewest_points = 3, most_points = 20, most_repeats = 50;
-
 void include(std::vector<int>& elements, int more) {
   elements.push_back(more);
   std::sort(elements.begin(), elements.end());
@@ -56,9 +54,7 @@ void read_extent(TableReader& table, const CableSpec& cable, StudyExtent& extent
       if (std::find(methods->begin(), methods->end(), k) != methods->end())
         extent.methods.push_back(names[k]);
   }
-  extent.points = table.whole("points", fewest_points, most_points, extent.points);
-  extent.repeats = table.whole("repeats", 1, most_repeats, extent.repeats);
-  extent.time_limit = table.number("time_limit", Range::positive("s"), extent.time_limit);
+  table.read(extent);
 }
 
 WorkPrecisionSpec default_work_precision(const CableSpec& cable, const TimeSpec& time) {
@@ -90,12 +86,9 @@ WorkPrecisionSpec work_precision_of(const Case& spec) {
 WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable, const TimeSpec& time) {
   constexpr double most_steps = 1e9;
   WorkPrecisionSpec spec = default_work_precision(cable, time);
+  table.read(spec);
   // A case that is run for a shorter time, as with --set time.end=0.1, has a study that is as short.
-  spec.end = std::min(time.end, table.number("end", Range::positive("s"), spec.end));
-  spec.largest_step = table.number("largest_step", Range::positive("s"), 0);
-  spec.smallest_step = table.number("smallest_step", Range::positive("s"), 0);
-  spec.loosest_tolerance = table.number("loosest_tolerance", Range::below_one(), spec.loosest_tolerance);
-  spec.tightest_tolerance = table.number("tightest_tolerance", Range::below_one(), spec.tightest_tolerance);
+  spec.end = std::min(time.end, spec.end);
   read_extent(table, cable, spec.full);
   TableReader quick = table.table("quick");
   read_extent(quick, cable, spec.quick);

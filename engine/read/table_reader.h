@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -8,7 +9,7 @@
 
 #include "engine/case/case.h"
 #include "engine/case/case_words.h"
-#include "engine/case/range.h"
+#include "engine/case/key.h"
 #include "engine/read/parameters.h"
 #include "engine/read/toml_value.h"
 
@@ -31,6 +32,35 @@ class TableReader {
   std::optional<double> optional_number(std::string_view key, const Range& range);
   /// A whole number that may be missing.
   int whole(std::string_view key, int low, int high, int fallback);
+
+  /// The value of a key of a table, by the type of its field, which holds the default. `required` takes the
+  /// place of that of the key.
+  template <class T>
+  void read(const Key& key, T& field, bool required) {
+    if constexpr (std::is_enum_v<T>) {
+      field = choice<T>(key.name, field);
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      field = static_cast<T>(required ? number(key.name, key.range)
+                                      : number(key.name, key.range, static_cast<double>(field)));
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      field = optional_number(key.name, key.range);
+    } else if constexpr (std::is_same_v<T, Vec3>) {
+      field = vector(key.name, key.range.unit, field);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      field = required ? text(key.name, key.meaning) : optional_text(key.name, field);
+    } else if (const auto given = numbers(key.name, field.size(), key.range)) {
+      std::transform(given->begin(), given->end(), field.begin(),
+                     [](double value) { return static_cast<typename T::value_type>(value); });
+    }
+  }
+  /// All keys of a table that has a `visit_keys`; `computed`: false for an external run, of which it is not
+  /// asked how it is computed.
+  template <class Spec>
+  void read(Spec& spec, bool computed = true) {
+    visit_keys(spec, [&](const Key& key, auto& field) {
+      read(key, field, key.required && (computed || !key.of_computation));
+    });
+  }
 
   /// A required list of three numbers, and one that may be missing.
   Vec3 vector(std::string_view key, std::string_view unit);

@@ -9,19 +9,10 @@
 namespace plumb {
 namespace {
 
-struct NumberKey {
-  std::string_view key;
+struct Value {
+  std::string key;
   double value;
 };
-
-std::vector<NumberKey> numbers(const Case& spec) {
-  return {{"cable.length", spec.cable.length},
-          {"cable.area", spec.cable.area},
-          {"cable.density", spec.cable.density},
-          {"cable.youngs_modulus", spec.cable.youngs_modulus},
-          {"cable.second_moment", spec.cable.second_moment},
-          {"start.axial_speed", spec.start.axial_speed}};
-}
 
 struct ListKey {
   std::string key;
@@ -29,22 +20,25 @@ struct ListKey {
 };
 
 std::vector<ListKey> lists(const Case& spec) {
-  std::vector<ListKey> all{{"start.direction", spec.start.direction},
-                           {"start.angular_velocity", spec.start.angular_velocity}};
-  for (const LoadKey& key : load_keys)
-    all.push_back({fmt::format("loads.{}", key.name), spec.loads.*key.value});
+  std::vector<ListKey> all;
+  visit_motion(spec, [&](const char* table, const auto& section) {
+    visit_keys(section, [&](const Key& key, const auto& value) {
+      if constexpr (std::is_same_v<decltype(value), const Vec3&>)
+        all.push_back({fmt::format("{}.{}", table, key.name), value});
+    });
+  });
   return all;
 }
-
-struct Value {
-  std::string key;
-  double value;
-};
 
 std::vector<Value> all_values(const Case& spec) {
   std::vector<Value> all;
   for (const auto& [name, value] : spec.parameters) all.push_back({"parameters." + name, value});
-  for (const NumberKey& number : numbers(spec)) all.push_back({std::string(number.key), number.value});
+  visit_motion(spec, [&](const char* table, const auto& section) {
+    visit_keys(section, [&](const Key& key, const auto& value) {
+      if constexpr (std::is_same_v<decltype(value), const double&>)
+        all.push_back({fmt::format("{}.{}", table, key.name), value});
+    });
+  });
   for (const ListKey& list : lists(spec))
     for (int k = 0; k < 3; ++k) all.push_back({fmt::format("{}.{}", list.key, k), list.value[k]});
   return all;

@@ -5,10 +5,7 @@
 namespace plumb {
 namespace {
 
-template <class Archive>
-void members_of_method(Archive& a, MethodSpec& method) {
-  a("name", method.name);
-  a("parameters", method.parameters);
+void add_settings(ObjectWriter& a, const MethodSpec& method) {
   a("step", method.step);
   a("rtol", method.rtol);
   a("atol", method.atol);
@@ -16,15 +13,36 @@ void members_of_method(Archive& a, MethodSpec& method) {
 
 }  // namespace
 
+nlohmann::ordered_json method_json(const MethodSpec& method) {
+  ObjectWriter a;
+  a("name", method.name);
+  add_settings(a, method);
+  for (const auto& [name, value] : method.parameters) a(name.c_str(), value);
+  return a.json;
+}
+
 nlohmann::ordered_json to_stored(const MethodSpec& method) {
-  ObjectWriter writer;
-  members_of_method(writer, const_cast<MethodSpec&>(method));  // which only reads
-  return writer.json;
+  ObjectWriter a;
+  a("name", method.name);
+  a("parameters", method.parameters);
+  add_settings(a, method);
+  return a.json;
 }
 
 void from_stored(const nlohmann::ordered_json& json, MethodSpec& method) {
-  ObjectReader reader(json);
-  members_of_method(reader, method);
+  ObjectReader a(json);
+  method = {};
+  a("name", method.name);
+  a("step", method.step);
+  a("rtol", method.rtol);
+  a("atol", method.atol);
+  if (a.has("parameters", true)) {
+    a("parameters", method.parameters);
+    return;
+  }
+  for (const auto& [key, value] : json.items())
+    if (key != "name" && key != "step" && key != "rtol" && key != "atol")
+      decode(value, method.parameters[key]);
 }
 
 }  // namespace plumb

@@ -102,7 +102,7 @@ OutputFolder::OutputFolder(const std::string& path, FolderUse use, bool only_che
 OutputFolder::~OutputFolder() = default;
 
 FolderSurvey OutputFolder::look() const {
-  FolderSurvey survey = look_into(path_, use_.content);
+  FolderSurvey survey = look_into(path_, use_.content, use_.formats);
   if (part_) survey.others.erase(fs::path(part_->path()).filename().string());
   return survey;
 }
@@ -130,7 +130,7 @@ void OutputFolder::refuse_conflicts(const FolderSurvey& survey) const {
                                           "folder with -o",
                                           name, manifest_name));
     if (use_.content != FolderContent::copies &&
-        (belongs_to(use_.content, name) || belongs_to(use_.content, name + "/0000.png")))
+        (belongs_to(use_.content, name, use_.formats) || belongs_to(use_.content, name + "/0000.png")))
       refuse(name, survey.manifest.manifest.files.contains(name));
   }
   for (const std::string& path : use_.reads) {
@@ -187,7 +187,7 @@ void OutputFolder::fail(const std::string& name, int error) const {
 }
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
-  if (!is_name_beneath(name) || !belongs_to(use_.content, name))
+  if (!is_name_beneath(name) || !belongs_to(use_.content, name, use_.formats))
     throw std::logic_error(name + " is no file of an output folder");
   put(name, bytes);
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,8 @@ namespace plumb {
 /// What an output folder is used for.
 struct FolderUse {
   FolderContent content = FolderContent::results;
+  /// Files of a report beside index.html and results.json, which it may write too.
+  std::span<const std::string_view> formats = {};
   /// Files that are read and must stay what they are.
   std::vector<std::string> reads = {};
   /// Files that the content is made from. Where they lie in the folder they may be written again if they are

@@ -7,13 +7,13 @@
 namespace plumb {
 namespace {
 
-const std::string& label_of(const Key& key, const KeyEntry& entry) {
+const std::string& label_of(const PlotKey& key, const KeyEntry& entry) {
   return entry.category ? key.categories[entry.index].label : key.lines[entry.index].label;
 }
 
 }  // namespace
 
-KeyLayout key_layout(const Key& key, double top, double width, const PlotSizes& sizes, const Font& font) {
+KeyLayout key_layout(const PlotKey& key, double top, double width, const PlotSizes& sizes, const Font& font) {
   KeyLayout layout;
   const double row_height = 1.5 * sizes.legend.size, left = sizes.gap, right = width - sizes.gap;
   std::size_t row_begin = 0;
@@ -51,8 +51,8 @@ KeyLayout key_layout(const Key& key, double top, double width, const PlotSizes& 
   return layout;
 }
 
-void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& entries, const PlotSizes& sizes,
-              const PlotTheme& theme) {
+void draw_key(Painter& painter, const PlotKey& key, const std::vector<KeyEntry>& entries,
+              const PlotSizes& sizes, const PlotTheme& theme) {
   for (const KeyEntry& entry : entries) {
     if (entry.category) {
       draw_cell(painter, entry.sample, key.categories[entry.index], sizes);

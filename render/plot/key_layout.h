@@ -12,9 +12,9 @@ struct KeyLayout {
 };
 
 /// The key of a plot in rows from `top`, centred in `width`.
-KeyLayout key_layout(const Key& key, double top, double width, const PlotSizes& sizes, const Font& font);
+KeyLayout key_layout(const PlotKey& key, double top, double width, const PlotSizes& sizes, const Font& font);
 
-void draw_key(Painter& painter, const Key& key, const std::vector<KeyEntry>& entries, const PlotSizes& sizes,
-              const PlotTheme& theme);
+void draw_key(Painter& painter, const PlotKey& key, const std::vector<KeyEntry>& entries,
+              const PlotSizes& sizes, const PlotTheme& theme);
 
 }  // namespace plumb

@@ -78,7 +78,8 @@ struct CellCategory {
 struct CellGrid {
   std::vector<double> x_edges;  ///< rising, one more than columns
   std::vector<double> y_edges;  ///< rising, one more than rows
-  std::vector<int> categories;  ///< rows from below, each from the left: places in Key::categories; -1: none
+  std::vector<int>
+      categories;  ///< rows from below, each from the left: places in PlotKey::categories; -1: none
 };
 
 /// Rectangles that fill a panel as those of a CellGrid do, each coloured by a number, with a bar of the
@@ -93,7 +94,7 @@ struct HeatMap {
 };
 
 /// What a plot says once of all its panels, below its title.
-struct Key {
+struct PlotKey {
   std::vector<CellCategory> categories;
   std::vector<Series> lines;  ///< of whose looks samples are shown; they have no points
 };
@@ -119,7 +120,7 @@ struct Panel {
 struct Plot {
   std::string title;
   std::vector<Panel> panels;
-  Key key;
+  PlotKey key;
   int columns = 1;        ///< ≥ 1; panels run along the rows, and share the width of a column
   int width = 1600;       ///< pixels
   int height = 1200;      ///< pixels

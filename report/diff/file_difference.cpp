@@ -12,6 +12,7 @@
 #include "engine/base/parse_json.h"
 #include "report/diff/number_difference.h"
 #include "report/diff/picture_difference.h"
+#include "report/document/report_formats.h"
 
 namespace plumb {
 namespace {
@@ -151,13 +152,15 @@ long compared(const std::vector<FileDifference>& files) {
 
 Comparing comparing(const std::string& name) {
   // They hold times, paths, or what follows from those.
-  constexpr std::array unlike{"run.h5",     "study.h5",  "study.json", "choice.json",  "assessment.json",
-                              "index.html", "junit.xml", "summary.md", "manifest.json"};
+  constexpr std::array unlike{"run.h5",          "study.h5",   "study.json",   "choice.json",
+                              "assessment.json", "index.html", "manifest.json"};
   const std::string file = name.substr(name.rfind('/') + 1);
   if (file.ends_with(".png")) return Comparing::pictures;
   if (file.ends_with(".csv")) return Comparing::numbers;
   if (file == "results.json") return Comparing::verdicts;
-  const bool differs = std::find(unlike.begin(), unlike.end(), file) != unlike.end();
+  const std::span<const std::string_view> formats = report_files();
+  const bool differs = std::find(unlike.begin(), unlike.end(), file) != unlike.end() ||
+                       std::find(formats.begin(), formats.end(), file) != formats.end();
   return differs ? Comparing::nothing : Comparing::bytes;
 }
 

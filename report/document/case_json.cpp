@@ -2,17 +2,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/case/case_codec.h"
 #include "engine/model/support_constraints.h"
+#include "engine/run/method_json.h"
 #include "report/document/given_json.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector_json(const Vec3& v) {
-  return {v[0], v[1], v[2]};
-}
 
 }  // namespace
 
@@ -62,43 +60,17 @@ Json verdict_json(const Verdict& verdict) {
   return json;
 }
 
-Json method_json(const MethodSpec& method) {
-  Json json{{"name", method.name}};
-  if (method.step) json["step"] = *method.step;
-  if (method.rtol) json["rtol"] = *method.rtol;
-  if (method.atol) json["atol"] = *method.atol;
-  for (const auto& [name, value] : method.parameters) json[name] = value;
-  return json;
-}
-
 Json case_json(const LoadedCase& loaded) {
   const Case& spec = loaded.spec;
   Json json;
   json["file"] = loaded.source.file.name;
   json["overrides"] = loaded.source.overrides;
   json["parameters"] = spec.parameters;
-  json["cable"] = {{"length", spec.cable.length},
-                   {"area", spec.cable.area},
-                   {"density", spec.cable.density},
-                   {"youngs_modulus", spec.cable.youngs_modulus},
-                   {"second_moment", spec.cable.second_moment},
-                   {"elements", spec.cable.elements},
-                   {"model", word(spec.cable.model)},
-                   {"strain", word(spec.cable.strain)},
-                   {"quadrature", word(spec.cable.quadrature)}};
-  json["start"] = {{"direction", vector_json(spec.start.direction)},
-                   {"angular_velocity", vector_json(spec.start.angular_velocity)},
-                   {"slope_rates", word(spec.start.slope_rates)},
-                   {"axial_speed", spec.start.axial_speed}};
-  json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
-  for (const LoadKey& key : load_keys)
-    json["loads"][std::string(key.name)] = vector_json(spec.loads.*key.value);
+  visit_motion(spec, [&](const char* table, const auto& section) { json[table] = encode(section); });
   if (!reports_given_run(spec)) json["method"] = method_json(spec.method);
   if (!loaded.given_runs.empty()) json["given_runs"] = given_runs_json(loaded);
-  json["time"] = {{"end", spec.time.end}, {"output_interval", spec.time.output_interval}};
-  json["probes"] = Json::array();
-  for (const ProbeSpec& probe : spec.probes)
-    json["probes"].push_back({{"name", probe.name}, {"at", probe.at}, {"quantity", word(probe.quantity)}});
+  json["time"] = encode(spec.time);
+  json["probes"] = encode(spec.probes);
   json["text"] = loaded.source.file.text;
   return json;
 }

@@ -18,7 +18,4 @@ nlohmann::ordered_json case_json(const LoadedCase& loaded);
 nlohmann::ordered_json coverage_json(const Coverage& coverage);
 nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
-/// A method with all that it was given.
-nlohmann::ordered_json method_json(const MethodSpec& method);
-
 }  // namespace plumb

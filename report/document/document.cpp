@@ -4,6 +4,7 @@
 #include "engine/run/stored_parts.h"
 #include "report/document/case_json.h"
 #include "report/document/given_json.h"
+#include "report/document/report_formats.h"
 #include "report/figure/panels_json.h"
 
 namespace plumb {
@@ -137,6 +138,11 @@ Document document_of(const Results& results, const Pictures& pictures) {
 std::string to_json(const Document& document, bool has_sum) {
   if (has_sum && document.contains("schema_version")) return to_summed_text(document, 1);
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+ReportFormat results_json_format() {
+  return {"results.json",
+          [](const ReportContent& content) { return to_json(content.document, content.has_sum); }};
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 #include "report/base/escape.h"
 #include "report/document/document.h"
 #include "report/document/junit_suites.h"
+#include "report/document/report_formats.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -102,6 +103,10 @@ std::string junit_xml(const std::string& name, std::vector<JunitSuite> all) {
     xml += "  </testsuite>\n";
   }
   return xml + "</testsuites>\n";
+}
+
+ReportFormat junit_xml_format() {
+  return {"junit.xml", [](const ReportContent& content) { return junit_xml(content.title, content.suites); }};
 }
 
 }  // namespace plumb

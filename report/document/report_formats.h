@@ -29,9 +29,10 @@ struct ReportFormat {
   std::string (*text)(const ReportContent& content);
 };
 
-/// All of them, results.json first. A new one has its line in report_formats.cpp, and its name among the
-/// page_names of engine/base/folder_survey.cpp.
+/// All of them, results.json first. A new one has a file of its own, and its line in report_formats.cpp.
 std::span<const ReportFormat> report_formats();
+/// Their files.
+std::span<const std::string_view> report_files();
 
 /// Writes a file of each. Throws OutputError.
 void write_formats(const ReportContent& content, OutputFolder& folder);

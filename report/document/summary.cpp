@@ -3,6 +3,7 @@
 #include "report/base/escape.h"
 #include "report/document/document.h"
 #include "report/document/given_json.h"
+#include "report/document/report_formats.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -54,6 +55,10 @@ std::string to_summary(const Document& document) {
       solve.at("tangent_evaluations").get<long>(), solve.at("solve_seconds").get<double>(),
       escape_markdown(document.at("energy").at("drift_in_words").get<std::string>()));
   return text;
+}
+
+ReportFormat summary_md_format() {
+  return {"summary.md", [](const ReportContent& content) { return content.summary; }};
 }
 
 }  // namespace plumb

@@ -1,17 +1,15 @@
-#include "report/figure/field_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/case/figure_names.h"
 #include "engine/model/cable.h"
 #include "engine/run/cable_field.h"
 #include "engine/run/field_envelope.h"
 #include "engine/run/field_map.h"
 #include "report/figure/ending_mark.h"
 #include "report/figure/number_markup.h"
+#include "report/figure/run_figures.h"
 
 namespace plumb {
 namespace {
@@ -41,8 +39,10 @@ Series along(const FieldEnvelope& envelope, std::vector<double> values, std::str
   return series;
 }
 
-std::vector<Figure> range_figure(const Run& run, const Cable& cable, ColorField field, std::string_view name,
-                                 const std::string& quantity, const std::string& label) {
+std::optional<Figure> range_figure(const Run& run, ColorField field, const std::string& quantity,
+                                   const std::string& label) {
+  if (run.trajectory.times.empty()) return {};
+  const Cable cable = cable_of(run);
   const FieldEnvelope envelope = field_envelope(cable, field, run.trajectory);
   if (!std::isfinite(envelope.peak)) return {};
   Series greatest = along(envelope, envelope.greatest, "maximum");
@@ -60,7 +60,6 @@ std::vector<Figure> range_figure(const Run& run, const Cable& cable, ColorField 
   panel.y.zero_line = true;
   panel.series = {std::move(greatest), std::move(mean), std::move(least)};
   Figure figure;
-  figure.name = name;
   figure.title = title_of(run, fmt::format("Range of the {} over time", quantity));
   const auto lowest = std::min_element(envelope.least.begin(), envelope.least.end(), [](double a, double b) {
     return a < b || (std::isnan(b) && !std::isnan(a));
@@ -70,10 +69,24 @@ std::vector<Figure> range_figure(const Run& run, const Cable& cable, ColorField 
       "{:.4g} m from the first end, at {:.4g} s; the least is {:.4g} {}.",
       quantity, envelope.peak, unit(field), envelope.peak_place, envelope.peak_time, *lowest, unit(field));
   figure.plot.panels = {std::move(panel)};
-  return {std::move(figure)};
+  return figure;
 }
 
-std::vector<Figure> strain_map_figure(const Run& run, const Cable& cable) {
+}  // namespace
+
+std::optional<Figure> tension_range_figure(const Run& run) {
+  return range_figure(run, ColorField::axial_force, "tension", "tension");
+}
+
+std::optional<Figure> curvature_range_figure(const Run& run) {
+  // Links of a chain do not bend.
+  if (run.loaded.spec.cable.model == CableModel::chain) return {};
+  return range_figure(run, ColorField::curvature, "curvature", "curvature κ");
+}
+
+std::optional<Figure> strain_map_figure(const Run& run) {
+  if (run.trajectory.times.empty()) return {};
+  const Cable cable = cable_of(run);
   const FieldMap found = field_map(cable, ColorField::axial_strain, run.trajectory, map_columns, map_rows);
   double lo = HUGE_VAL, hi = -HUGE_VAL;
   for (const double value : found.values)
@@ -97,7 +110,6 @@ std::vector<Figure> strain_map_figure(const Run& run, const Cable& cable) {
   panel.heat_map = std::move(map);
   mark_ending(run, panel);
   Figure figure;
-  figure.name = strain_map_figure_name;
   figure.title = title_of(run, "Axial strain over time and place");
   figure.alt = fmt::format(
       "Map of the axial strain over time, from left to right, and along the cable, from its first end at the "
@@ -105,24 +117,7 @@ std::vector<Figure> strain_map_figure(const Run& run, const Cable& cable) {
       lo, hi);
   figure.plot.height = 1000;
   figure.plot.panels = {std::move(panel)};
-  return {std::move(figure)};
-}
-
-}  // namespace
-
-std::vector<Figure> field_figures(const Run& run) {
-  std::vector<Figure> result;
-  const auto add = [&](std::vector<Figure> figures) {
-    for (Figure& figure : figures) result.push_back(std::move(figure));
-  };
-  if (run.trajectory.times.empty()) return result;
-  const Cable cable = cable_of(run);
-  add(range_figure(run, cable, ColorField::axial_force, tension_range_figure_name, "tension", "tension"));
-  if (!cable.chain())
-    add(range_figure(run, cable, ColorField::curvature, curvature_range_figure_name, "curvature",
-                     "curvature κ"));
-  add(strain_map_figure(run, cable));
-  return result;
+  return figure;
 }
 
 }  // namespace plumb

@@ -7,8 +7,8 @@
 #include "engine/base/known_time.h"
 #include "render/gl/markup.h"
 #include "report/figure/ending_mark.h"
-#include "report/figure/field_figures.h"
 #include "report/figure/number_markup.h"
+#include "report/figure/run_figures.h"
 
 namespace plumb {
 namespace {
@@ -233,57 +233,22 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   return figure;
 }
 
-Figure energy_figure(const Run& run) {
-  const Trajectory& trajectory = run.trajectory;
-  const auto part = [&](const std::string& name, auto value) {
-    std::vector<double> values;
-    for (const Energies& e : trajectory.energies) values.push_back(value(e));
-    return line(name, trajectory.times, std::move(values));
-  };
-  Panel energies;
-  energies.x.label = "time [s]";
-  energies.y.label = "energy [J]";
-  energies.shares_x_below = true;
-  energies.series = {part("kinetic", [](const Energies& e) { return e.kinetic; }),
-                     part("axial strain", [](const Energies& e) { return e.axial; }),
-                     part("bending strain", [](const Energies& e) { return e.bending; }),
-                     part("potential", [](const Energies& e) { return e.potential; }),
-                     part("total", [](const Energies& e) { return e.total(); })};
-  energies.series.back().color = Color{};
-  energies.series.back().dash = Dash::dashed;
-  const double first = trajectory.energies.empty() ? 0 : trajectory.energies.front().total();
-  const double kinetic = trajectory.kinetic_scale();
-  Panel drift;
-  drift.x.label = "time [s]";
-  drift.y.label = kinetic > 0 ? "drift / kinetic [1]" : "drift [J]";
-  drift.y.zero_line = true;
-  drift.height_share = difference_share;
-  drift.series = {
-      part("", [&](const Energies& e) { return (e.total() - first) / (kinetic > 0 ? kinetic : 1); })};
-
-  Figure figure;
-  figure.name = energy_figure_name;
-  figure.title = title_of(run, "Energy over time");
-  figure.alt = fmt::format(
-      "Plot of kinetic, axial, bending, potential and total energy over time. The total drifts by at most "
-      "{:.3g} J.",
-      trajectory.energy_drift());
-  mark_ending(run, energies);
-  mark_ending(run, drift);
-  figure.plot.panels = {std::move(energies), std::move(drift)};
-  figure.times = {{true, {}}, {true, {}}};
-  return figure;
-}
-
 }  // namespace
 
 std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& errors) {
   std::vector<Figure> result;
   for (const FigureSpec& spec : run.loaded.spec.figures) result.push_back(case_figure(run, spec, errors));
   // Of an external run neither energies nor fields are known.
-  if (!run.trajectory.energies.empty()) {
-    result.push_back(energy_figure(run));
-    for (Figure& figure : field_figures(run)) result.push_back(std::move(figure));
+  const std::span<const RunFigure> of_every_run =
+      run.trajectory.energies.empty() ? std::span<const RunFigure>() : run_figures();
+  for (const RunFigure& known : of_every_run) {
+    // A case that was read before there was this figure may have taken its name.
+    const bool taken = std::any_of(result.begin(), result.end(),
+                                   [&](const Figure& figure) { return figure.name == known.name; });
+    std::optional<Figure> figure = taken ? std::nullopt : known.draw(run);
+    if (!figure) continue;
+    figure->name = known.name;
+    result.push_back(std::move(*figure));
   }
   for (Figure& figure : result) {
     figure.plot.title = literal(figure.title);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "engine/read/model_keys.h"
 #include "report/base/document_value.h"
 #include "report/page/page_template.h"
 
@@ -18,6 +21,11 @@ std::string exact(const Document& value) {
 std::string vector_text(const Document& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.at(0).get<double>(), v.at(1).get<double>(),
                      v.at(2).get<double>());
+}
+
+/// A value of a key of the case.
+std::string in_words(const Document& value) {
+  return value.is_array() ? vector_text(value) : value.is_string() ? value.get<std::string>() : exact(value);
 }
 
 const Document* reference_named(const Document& document, const std::string& name) {
@@ -122,35 +130,35 @@ data cost_rows(const Document& document) {
 }
 
 data case_rows(const Document& document) {
-  const Document& the_case = document.at("case");
-  const Document &cable = the_case.at("cable"), &start = the_case.at("start"), &loads = the_case.at("loads");
-  const auto value = [&](const char* key) { return cable.at(key).get<double>(); };
-  const auto product = [](double a, double b) { return fmt::format("{:.12g}", a * b); };
+  const Document &the_case = document.at("case"), &cable = the_case.at("cable");
+  // How another program models the cable is not for Plumb to say.
+  const bool solved_here = the_case.contains("method");
+  std::vector<std::string_view> foreign;
+  for (const auto& model : words_of<CableModel>)
+    if (model.word == text_of(cable, "model")) foreign = foreign_keys(model.value);
   Pairs rows;
   for (const auto& [name, parameter] : the_case.at("parameters").items())
     rows.emplace_back("parameter " + name, exact(parameter));
-  rows.emplace_back("length L", exact(cable.at("length")) + " m");
-  rows.emplace_back("axial stiffness EA", product(value("youngs_modulus"), value("area")) + " N");
-  rows.emplace_back("bending stiffness EI",
-                    product(value("youngs_modulus"), value("second_moment")) + " N m²");
-  rows.emplace_back("mass per length ρA", product(value("density"), value("area")) + " kg/m");
-  // How another program models the cable is not for Plumb to say.
-  const bool solved_here = the_case.contains("method");
-  if (solved_here) {
-    rows.emplace_back("model", text_of(cable, "model"));
-    rows.emplace_back("strain model", text_of(cable, "strain"));
-    if (text_of(cable, "model") == word(CableModel::cable))
-      rows.emplace_back("quadrature", text_of(cable, "quadrature"));
-  }
-  rows.emplace_back("direction at the start", vector_text(start.at("direction")));
-  rows.emplace_back("angular velocity at the start", vector_text(start.at("angular_velocity")) + " rad/s");
-  if (solved_here) rows.emplace_back("slope rates at the start", text_of(start, "slope_rates"));
-  rows.emplace_back("axial speed of the last end at the start", exact(start.at("axial_speed")) + " m/s");
-  rows.emplace_back("supports", text_of(the_case.at("supports"), "first") + " – " +
-                                    text_of(the_case.at("supports"), "last"));
-  for (const LoadKey& key : load_keys)
-    rows.emplace_back(key.meaning,
-                      fmt::format("{} {}", vector_text(loads.at(std::string(key.name))), key.unit));
+  const auto add = [&](const char* table, const auto& spec) {
+    visit_keys(spec, [&](const Key& key, const auto&) {
+      const Document &values = the_case.at(table), none;
+      const Document& value = values.contains(key.name) ? values.at(std::string(key.name)) : none;
+      if (value.is_null() || (key.of_computation && !solved_here) ||
+          std::find(foreign.begin(), foreign.end(), key.name) != foreign.end())
+        return;
+      rows.emplace_back(key.meaning, in_words(value) + (key.range.unit.empty() ? "" : " " + key.range.unit));
+    });
+  };
+  const Case any;
+  visit_motion(any, add);
+  add("time", any.time);
+  const auto product = [&](const char* meaning, const char* a, const char* b, const char* unit) {
+    rows.emplace_back(meaning,
+                      fmt::format("{:.12g} {}", cable.at(a).get<double>() * cable.at(b).get<double>(), unit));
+  };
+  product("axial stiffness EA", "youngs_modulus", "area", "N");
+  product("bending stiffness EI", "youngs_modulus", "second_moment", "N m²");
+  product("mass per length ρA", "density", "area", "kg/m");
   if (!solved_here) return pair_rows(rows);
   std::string method;
   for (const auto& [name, setting] : the_case.at("method").items())

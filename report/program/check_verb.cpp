@@ -9,8 +9,9 @@
 #include "report/program/verbs.h"
 
 namespace plumb {
+namespace {
 
-ExitStatus check_verb(const Options& options, Console& console) {
+ExitStatus do_check(const Options& options, Console& console) {
   const LoadedCase loaded = load(options, console);
   const Case& spec = loaded.spec;
   const bool reports_given = reports_given_run(spec);
@@ -36,6 +37,17 @@ ExitStatus check_verb(const Options& options, Console& console) {
   for (const std::string& line : in_words(made)) console.line("  " + line);
   if (options.json) print_json(case_json(loaded));
   return ExitStatus::done;
+}
+
+}  // namespace
+
+Verb check_verb() {
+  return {.name = "check",
+          .summary = "say whether a case is valid, without running it",
+          .act = do_check,
+          .input = "CASE",
+          .takes_overrides = true,
+          .is_estimated = true};
 }
 
 }  // namespace plumb

@@ -105,9 +105,7 @@ void say(const std::vector<FileDifference>& files, Console& console) {
   console.line(headline(files));
 }
 
-}  // namespace
-
-ExitStatus diff_verb(const Options& options, Console& console) {
+ExitStatus do_diff(const Options& options, Console& console) {
   DifferenceOptions how{options.channel, options.density, DifferenceOptions{}.numbers, !options.html.empty()};
   if (options.numbers) how.numbers = *options.numbers;
   const std::string overlapping = overlap(options.input, options.other);
@@ -138,6 +136,16 @@ ExitStatus diff_verb(const Options& options, Console& console) {
   }
   if (options.json) print_json(difference_json(files, accepts));
   return !accepts && (different || compared(files) == 0) ? ExitStatus::criterion_not_met : ExitStatus::done;
+}
+
+}  // namespace
+
+Verb diff_verb() {
+  return {.name = "diff",
+          .summary = "compare two pictures, two files of numbers, or two output folders",
+          .act = do_diff,
+          .input = "A",
+          .compares = true};
 }
 
 }  // namespace plumb

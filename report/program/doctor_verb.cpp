@@ -31,9 +31,7 @@ Json method_json(const MethodInfo& method) {
           {"summary", method.summary},   {"source", method.source},       {"keys", keys_of(method)}};
 }
 
-}  // namespace
-
-ExitStatus doctor_verb(const Options& options, Console& console) {
+ExitStatus do_doctor(const Options& options, Console& console) {
   refuse_no_room_to_draw();
   const GlContext context;
   const GlInfo& gl = context.info();
@@ -79,6 +77,15 @@ ExitStatus doctor_verb(const Options& options, Console& console) {
     print_json(json);
   }
   return ExitStatus::done;
+}
+
+}  // namespace
+
+Verb doctor_verb() {
+  return {.name = "doctor",
+          .summary = "what was found on this machine: renderer, libraries, methods",
+          .act = do_doctor,
+          .uses_renderer = true};
 }
 
 }  // namespace plumb

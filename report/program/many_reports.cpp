@@ -31,13 +31,14 @@ constexpr const char* default_folder = "output";
 /// What an index may touch: all that is not of an index stays.
 FolderUse use_of_index(Console& console) {
   return {.content = FolderContent::pages,
+          .formats = report_files(),
           .beside_others = true,
           .remark = [&console](const std::string& text) { console.remark(text); }};
 }
 
 /// Whether an index may have a file or folder of this name.
 bool is_of_index(const std::string& name) {
-  return name == manifest_name || belongs_to(FolderContent::pages, name) ||
+  return name == manifest_name || belongs_to(FolderContent::pages, name, report_files()) ||
          belongs_to(FolderContent::pages, name + "/x.png");
 }
 

@@ -10,6 +10,7 @@
 #include "engine/base/file_writing.h"
 #include "render/gl/gl_context.h"
 #include "render/gl/text.h"
+#include "report/document/report_formats.h"
 
 namespace plumb {
 
@@ -49,12 +50,14 @@ std::string folder_name_of(const std::string& case_path) {
 }
 
 FolderUse folder_for(const LoadedCase& loaded, const Options& options, Console& console) {
-  return {.reads = files_read(loaded, options),
+  return {.formats = report_files(),
+          .reads = files_read(loaded, options),
           .remark = [&console](const std::string& text) { console.remark(text); }};
 }
 
 FolderUse folder_from(const std::string& run_path, Console& console) {
-  return {.sources = source_files(run_path),
+  return {.formats = report_files(),
+          .sources = source_files(run_path),
           .remark = [&console](const std::string& text) { console.remark(text); }};
 }
 
@@ -78,8 +81,8 @@ void refuse_to_overwrite(const std::string& option, const std::string& file,
   const fs::path name = place.lexically_relative(folder);
   const std::string below = name.generic_string();
   if (!name.empty() && *name.begin() != ".." &&
-      (belongs_to(FolderContent::results, below) || below == manifest_name || below == "frames" ||
-       below == "figures"))
+      (belongs_to(FolderContent::results, below, report_files()) || below == manifest_name ||
+       below == "frames" || below == "figures"))
     throw UsageError(
         fmt::format("{} {}: has the name of a file of the output folder; name another file", option, file));
 }

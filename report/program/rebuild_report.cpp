@@ -56,6 +56,7 @@ ExitStatus report_from_document(const Options& options, Console& console) {
   if (!made.document.contains(check_sum_key)) console.remark(remark_without_sum(options.from));
   OutputFolder output(folder.string(),
                       {.content = FolderContent::pages,
+                       .formats = report_files(),
                        .sources = {options.from},
                        .adds = true,
                        .beside_others = true,

@@ -35,9 +35,7 @@ ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, co
   return ExitStatus::done;
 }
 
-}  // namespace
-
-ExitStatus render_verb(const Options& options, Console& console) {
+ExitStatus do_render(const Options& options, Console& console) {
   const bool to_standard_output = options.output == "-";
   if (to_standard_output && (options.json || !options.video.empty()))
     throw UsageError("-o - has standard output for the frames: neither --json nor --video goes with it");
@@ -93,6 +91,20 @@ ExitStatus render_verb(const Options& options, Console& console) {
     print_json(json);
   }
   return ExitStatus::done;
+}
+
+}  // namespace
+
+Verb render_verb() {
+  return {.name = "render",
+          .summary = "frames, figures and animation from a finished run",
+          .act = do_render,
+          .input = "RUN",
+          .takes_overrides = true,
+          .takes_output = true,
+          .draws = true,
+          .is_estimated = true,
+          .uses_renderer = true};
 }
 
 }  // namespace plumb

@@ -13,8 +13,9 @@
 #include "report/study/work_precision/work_precision_study.h"
 
 namespace plumb {
+namespace {
 
-ExitStatus report_verb(const Options& options, Console& console) {
+ExitStatus do_report(const Options& options, Console& console) {
   if (!options.from.empty()) {
     return report_from_document(options, console);
   }
@@ -41,6 +42,20 @@ ExitStatus report_verb(const Options& options, Console& console) {
   write_run(run, folder);
   const std::vector<RunSection> sections = sections_beside(options.input, run, folder);
   return draw_and_report(run, sections, folder, stages, options, console);
+}
+
+}  // namespace
+
+Verb report_verb() {
+  return {.name = "report",
+          .summary = "the report, with its pictures, from a finished run; of several runs, an index",
+          .act = do_report,
+          .input = "RUN",
+          .takes_many = true,
+          .takes_document = true,
+          .takes_output = true,
+          .is_estimated = true,
+          .uses_renderer = true};
 }
 
 }  // namespace plumb

@@ -11,6 +11,7 @@
 #include "engine/read/given_probes.h"
 #include "engine/run/run_file.h"
 #include "report/document/given_json.h"
+#include "report/figure/run_figures.h"
 #include "report/page/page.h"
 #include "report/program/earlier_report.h"
 #include "report/program/output_use.h"
@@ -59,6 +60,7 @@ void say_verdicts(const std::vector<Verdict>& verdicts, Console& console) {
 
 LoadedCase load(const Options& options, Console& console, const SectionUse& uses) {
   LoadedCase loaded = load_case(options.input, options.overrides, uses);
+  refuse_names_of_run_figures(loaded);
   for (const std::string& remark : loaded.remarks) console.remark(remark);
   return loaded;
 }

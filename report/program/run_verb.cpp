@@ -15,14 +15,6 @@
 
 namespace plumb {
 
-ExitStatus run_verb(const Options& options, Console& console) {
-  const std::vector<std::string> cases = matching_paths(options.inputs);
-  if (cases.size() > 1) return run_many(cases, options, console);
-  Options one = options;
-  one.input = cases.front();
-  return run_one(one, console);
-}
-
 ExitStatus run_one(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
@@ -60,6 +52,32 @@ ExitStatus run_one(const Options& options, Console& console) {
   const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console);
   points.remove();
   return status;
+}
+
+namespace {
+
+ExitStatus do_run(const Options& options, Console& console) {
+  const std::vector<std::string> cases = matching_paths(options.inputs);
+  if (cases.size() > 1) return run_many(cases, options, console);
+  Options one = options;
+  one.input = cases.front();
+  return run_one(one, console);
+}
+
+}  // namespace
+
+Verb run_verb() {
+  return {.name = "run",
+          .summary = "the whole way: solve, draw, compare, report",
+          .act = do_run,
+          .input = "CASE",
+          .takes_many = true,
+          .takes_baseline = true,
+          .takes_overrides = true,
+          .takes_output = true,
+          .chooses = true,
+          .is_estimated = true,
+          .uses_renderer = true};
 }
 
 }  // namespace plumb

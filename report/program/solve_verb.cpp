@@ -11,8 +11,9 @@
 #include "report/program/verbs.h"
 
 namespace plumb {
+namespace {
 
-ExitStatus solve_verb(const Options& options, Console& console) {
+ExitStatus do_solve(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
   const LoadedCase given =
@@ -50,6 +51,20 @@ ExitStatus solve_verb(const Options& options, Console& console) {
   if (options.json) print_json(solve_json(run));
   if (run.trajectory.outcome != Outcome::completed) return ExitStatus::solver_failed;
   return choice && !choice->economy.holds ? ExitStatus::criterion_not_met : ExitStatus::done;
+}
+
+}  // namespace
+
+Verb solve_verb() {
+  return {.name = "solve",
+          .summary = "integrate only: run.h5 and probes.csv",
+          .act = do_solve,
+          .input = "CASE",
+          .takes_overrides = true,
+          .takes_output = true,
+          .takes_csv = true,
+          .chooses = true,
+          .is_estimated = true};
 }
 
 }  // namespace plumb

@@ -20,10 +20,12 @@ namespace plumb {
 
 #define PLUMB_DECLARE(name) StudyKind name##_study();
 PLUMB_STUDIES(PLUMB_DECLARE)
+#undef PLUMB_DECLARE
 
 std::span<const StudyKind> study_kinds() {
 #define PLUMB_LIST(name) name##_study(),
   static const std::vector<StudyKind> all{PLUMB_STUDIES(PLUMB_LIST)};
+#undef PLUMB_LIST
   return all;
 }
 

@@ -13,8 +13,9 @@
 #include "report/program/verbs.h"
 
 namespace plumb {
+namespace {
 
-ExitStatus study_verb(const Options& options, Console& console) {
+ExitStatus do_study(const Options& options, Console& console) {
   Stages stages;
   stages.begin("reading");
   LoadedCase loaded = load(options, console, options.kind.empty() ? use_all : uses_of_study(options.kind));
@@ -56,6 +57,20 @@ ExitStatus study_verb(const Options& options, Console& console) {
     folder.commit();
     throw OutputError(fmt::format("{}; the study is kept: plumb report {}", error.what(), folder.path()));
   }
+}
+
+}  // namespace
+
+Verb study_verb() {
+  return {.name = "study",
+          .summary = "vary a case: work against precision, where methods fail",
+          .act = do_study,
+          .input = "CASE",
+          .takes_overrides = true,
+          .takes_output = true,
+          .takes_kind = true,
+          .is_estimated = true,
+          .uses_renderer = true};
 }
 
 }  // namespace plumb

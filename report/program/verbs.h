@@ -28,16 +28,8 @@ struct Verb {
   bool uses_renderer = false;  ///< draws pictures, or looks at what draws them
 };
 
+/// All of them. A new one has a file of its own, NAME_verb.cpp, and its line in verbs.cpp.
 std::span<const Verb> verbs();
-
-ExitStatus run_verb(const Options& options, Console& console);
-ExitStatus solve_verb(const Options& options, Console& console);
-ExitStatus render_verb(const Options& options, Console& console);
-ExitStatus report_verb(const Options& options, Console& console);
-ExitStatus study_verb(const Options& options, Console& console);
-ExitStatus check_verb(const Options& options, Console& console);
-ExitStatus diff_verb(const Options& options, Console& console);
-ExitStatus doctor_verb(const Options& options, Console& console);
 
 /// What a command line asks for.
 struct Command {

@@ -12,19 +12,9 @@ namespace plumb {
 /// Version of choice.json; a choice of another version is not used.
 inline constexpr int choice_version = 1;
 
-/// A candidate with what was found of it, as choice.json and results.json have it. What is not finite is
-/// null.
-nlohmann::ordered_json tried_candidate_json(const TriedCandidate& tried);
-/// Throws nlohmann::json::exception or std::runtime_error for anything else.
-TriedCandidate tried_candidate_of(const nlohmann::ordered_json& json);
-
-/// A whole search.
-nlohmann::ordered_json economy_json(const Economy& economy);
-/// As above.
-Economy economy_of(const nlohmann::ordered_json& json);
-
-/// As the journal keeps it.
+/// A whole search, as journals, choice.json, study.json and results.json have it. What is not finite is null.
 nlohmann::ordered_json to_stored(const Economy& economy);
+/// Throws nlohmann::json::exception or std::runtime_error for anything else.
 void from_stored(const nlohmann::ordered_json& json, Economy& economy);
 
 /// What a choice must have been made of to count: a hash of the case's text and overrides and of the

@@ -70,11 +70,6 @@ References make_references(const Case& model, double tolerance) {
   return best;
 }
 
-CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
-  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
-  return source;
-}
-
 /// What cases of one model have in common.
 class Model {
  public:
@@ -83,7 +78,7 @@ class Model {
         sweep_(spec),
         judged_by_(judged_by),
         overrides_(model_overrides(loaded.spec, spec.seed, index)),
-        model_(load_without_studies(with(loaded.source, overrides_)).spec),
+        model_(load_without_studies(loaded.source.with(overrides_)).spec),
         references_(make_references(model_, spec.tolerance)) {}
 
   SweepRun run(long number) const {
@@ -93,7 +88,7 @@ class Model {
     try {
       for (std::string& text : method_overrides(file_.spec, model_, sweep_.seed, number))
         result.overrides.push_back(std::move(text));
-      const Case spec = load_without_studies(with(file_.source, result.overrides)).spec;
+      const Case spec = load_without_studies(file_.source.with(result.overrides)).spec;
       result.method = spec.method.name;
       judge_run(integrate(spec, {}, sweep_.time_limit), result);
     } catch (const Interrupted&) {
@@ -133,10 +128,10 @@ SweepRun lost_run(const LoadedCase& loaded, const SweepSpec& spec, long number, 
   run.number = number;
   run.fault = fault;
   run.overrides = model_overrides(loaded.spec, spec.seed, number / runs_of_a_model);
-  const Case model = load_without_studies(with(loaded.source, run.overrides)).spec;
+  const Case model = load_without_studies(loaded.source.with(run.overrides)).spec;
   for (std::string& text : method_overrides(loaded.spec, model, spec.seed, number))
     run.overrides.push_back(std::move(text));
-  run.method = load_without_studies(with(loaded.source, run.overrides)).spec.method.name;
+  run.method = load_without_studies(loaded.source.with(run.overrides)).spec.method.name;
   return run;
 }
 
@@ -160,7 +155,7 @@ Sweep run_sweep(const LoadedCase& loaded, Runner& runner, const OutcomeClassifie
   const long models = (spec.cases + runs_of_a_model - 1) / runs_of_a_model;
   // A case that cannot be varied is told at once.
   for (long model = 0; model < std::min(models, models_checked); ++model)
-    load_without_studies(with(loaded.source, model_overrides(loaded.spec, spec.seed, model)));
+    load_without_studies(loaded.source.with(model_overrides(loaded.spec, spec.seed, model)));
 
   // Made by the first of its runs that is computed, in the process that computes them.
   std::vector<std::unique_ptr<Model>> made(static_cast<std::size_t>(models));

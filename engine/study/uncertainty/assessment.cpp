@@ -8,7 +8,6 @@
 
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
-#include "engine/base/json_numbers.h"
 #include "engine/base/known_time.h"
 #include "engine/base/parse_json.h"
 #include "engine/base/place.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,13 @@ struct BudgetDistance {
   double sampled_time = -1;       ///< s
 };
 
+/// How far a computation is from others in one series.
+struct SeriesDistance {
+  std::string series;                       ///< "mid_y"
+  double from_reference = -1;               ///< greatest over the times of the reference; -1: none
+  std::optional<BudgetDistance> from_base;  ///< nothing of the base itself
+};
+
 /// A computation of a budget and how it went.
 struct BudgetRun {
   std::vector<std::string> overrides;  ///< after those of the case
@@ -24,9 +32,7 @@ struct BudgetRun {
   std::string method;   ///< in words: "rk4, step 5e-05 s"
   int elements = 0;
   double seconds = -1;                    ///< of the time loop
-  std::vector<BudgetDistance> from_base;  ///< one a series; none of the base
-  /// Greatest distance to the reference itself, over its times, one a series; -1: none.
-  std::vector<double> from_reference;
+  std::vector<SeriesDistance> distances;  ///< one a series where it completed, else none
 
   bool completed() const { return outcome == Outcome::completed; }
 };

@@ -86,14 +86,16 @@ void measure(Computed& computed, const Computed& base, const ErrorBudget& budget
       return table.find(series.column)->values;
     };
     const std::vector<double>& own = values(computed.at_reference);
-    computed.run.from_reference.push_back(
-        greatest_difference(computed.at_reference.times, own, reference.find(series.series)->values).value);
+    SeriesDistance& distance = computed.run.distances.emplace_back();
+    distance.series = series.series;
+    distance.from_reference =
+        greatest_difference(computed.at_reference.times, own, reference.find(series.series)->values).value;
     if (&computed == &base || !base.run.completed()) continue;
     const Greatest there = greatest_difference(computed.at_reference.times, own, values(base.at_reference));
     Greatest often;
     if (budget.interval > 0)
       often = greatest_difference(computed.sampled.times, values(computed.sampled), values(base.sampled));
-    computed.run.from_base.push_back({there.value, there.time, often.value, often.time});
+    distance.from_base = {there.value, there.time, often.value, often.time};
   }
 }
 

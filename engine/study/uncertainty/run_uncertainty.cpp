@@ -93,9 +93,8 @@ InputSampling sampling_of(const Run& run, const Runs& runs) {
   InputSampling sampling;
   sampling.samples = spec.samples;
   sampling.seed = spec.seed;
-  sampling.inputs = spec.inputs;
   for (const UncertainInput& input : spec.inputs)
-    sampling.values.push_back(*uncertain_value(run.loaded.spec, input.key));
+    sampling.inputs.push_back({input, *uncertain_value(run.loaded.spec, input.key)});
   for (std::size_t k = 0; k < runs.sampled.size(); ++k) {
     const Seen& seen = runs.seen[runs.first_sample + k];
     sampling.completed += seen.fault.empty();

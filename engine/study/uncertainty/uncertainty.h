@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ enum class PartState {
 
 /// "not estimated", "estimated", "no part".
 std::string_view word(PartState);
+inline std::array<PartState, 3> enum_values(PartState) {
+  return {PartState::not_estimated, PartState::estimated, PartState::no_part};
+}
 
 /// A source of the uncertainty of a comparison, over the times of the comparison.
 struct UncertaintyPart {
@@ -45,14 +49,19 @@ struct SeriesUncertainty {
   bool whole() const;
 };
 
+/// An input with the value that the case gives it, in SI units.
+struct SampledInput {
+  UncertainInput input;
+  double value = 0;
+};
+
 /// What a sampling of the uncertain inputs was and how it went.
 struct InputSampling {
   int samples = 0;
   long seed = 0;
   int completed = 0;
   std::vector<std::string> failures;  ///< one a sample that has no result: what was sampled and what happened
-  std::vector<UncertainInput> inputs;
-  std::vector<double> values;  ///< what the case gives, one an input, SI units
+  std::vector<SampledInput> inputs;
 };
 
 /// The validation uncertainty of every series of a run that could be held against its reference.

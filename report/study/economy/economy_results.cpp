@@ -137,7 +137,7 @@ Document study_document(const EconomyStudy& study) {
                   {"cost_ratio", cost_ratio(study, need)},
                   {"reference_doubt", need.reference_doubt},
                   {"certified", need.certified}};
-    item.update(economy_json(need.economy));
+    item.update(to_stored(need.economy));
     economy["pictures"].push_back(std::move(item));
   }
   for (const RandomScene& scene : study.scenes) economy["random_scenes"].push_back(random_scene_json(scene));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/base/codec.h"
 #include "engine/study/economy/candidates.h"
 #include "engine/study/economy/economy_json.h"
 #include "report/page/page_template.h"
@@ -40,17 +41,19 @@ data candidate_rows(const Economy& economy) {
 }
 
 Document economy_document(const Economy& economy, const SceneSpec& scene) {
-  Document json = economy_json(economy);
+  Document json = to_stored(economy);
   const TriedCandidate* choice = economy.choice();
   json["in_words"] = economy_sentence(economy, scene);
   json["needs"] = choice ? in_words(choice->candidate) : "";
-  if (choice) json["picture_error"] = tried_candidate_json(*choice)["estimated_picture_error"];
+  if (choice)
+    json["picture_error"] =
+        json["tried"][static_cast<std::size_t>(economy.chosen)]["estimated_picture_error"];
   json["explained"] = explain(economy);
   return json;
 }
 
 std::string economy_html(const Document& document, const std::vector<Picture>&) {
-  const Economy economy = economy_of(document);
+  const auto economy = decoded<Economy>(document);
   data section;
   section["sentence"] = document.at("in_words").get<std::string>();
   section["good"] = economy.holds;

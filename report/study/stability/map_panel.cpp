@@ -90,8 +90,8 @@ Panel map_panel(const Stability& study, const OutcomeMap& map, const std::string
   return panel;
 }
 
-Key map_key(const std::vector<const OutcomeMap*>& maps) {
-  Key key;
+PlotKey map_key(const std::vector<const OutcomeMap*>& maps) {
+  PlotKey key;
   const auto occurs = [&](Outcome outcome) {
     return std::any_of(maps.begin(), maps.end(), [&](const OutcomeMap* map) {
       return std::any_of(map->points.begin(), map->points.end(),

@@ -11,6 +11,6 @@ Panel map_panel(const Stability& study, const OutcomeMap& map, const std::string
 
 /// What is said once of the panels of these maps: the outcomes that occur, and the limits where there are
 /// any.
-Key map_key(const std::vector<const OutcomeMap*>& maps);
+PlotKey map_key(const std::vector<const OutcomeMap*>& maps);
 
 }  // namespace plumb

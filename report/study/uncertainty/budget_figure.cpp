@@ -30,8 +30,8 @@ std::vector<Kind> kinds_of(const ErrorBudget& budget) {
 }
 
 double distance(const ErrorBudget& budget, const BudgetRun& run, std::size_t series) {
-  if (run.from_base.empty()) return -1;
-  const BudgetDistance& from_base = run.from_base[series];
+  if (run.distances.empty() || !run.distances[series].from_base) return -1;
+  const BudgetDistance& from_base = *run.distances[series].from_base;
   return budget.interval > 0 ? from_base.sampled : from_base.at_reference;
 }
 

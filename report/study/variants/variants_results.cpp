@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/run/method_json.h"
 #include "report/document/case_json.h"
 #include "report/verdict/results.h"
 

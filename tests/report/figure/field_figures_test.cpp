@@ -1,5 +1,3 @@
-#include "report/figure/field_figures.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "render/gl/gl_context.h"
 #include "render/plot/plot_renderer.h"
 #include "report/figure/number_markup.h"
+#include "report/figure/run_figures.h"
 #include "tests/render/image/pictures.h"
 #include "tests/report/made_run.h"
 
@@ -18,6 +17,18 @@ namespace field_figures_test {
 std::vector<std::string> names(const std::vector<Figure>& figures) {
   std::vector<std::string> result;
   for (const Figure& figure : figures) result.push_back(figure.name);
+  return result;
+}
+
+/// Those of what happens along the cable.
+std::vector<Figure> field_figures(const plumb::Run& run) {
+  std::vector<Figure> result;
+  for (const RunFigure& known : run_figures()) {
+    std::optional<Figure> figure = known.name == "energy" ? std::nullopt : known.draw(run);
+    if (!figure) continue;
+    figure->name = known.name;
+    result.push_back(std::move(*figure));
+  }
   return result;
 }
 
@@ -72,6 +83,15 @@ TEST(FieldFigures, OfARunWithoutOutputsAreNone) {
   run.trajectory.q.clear();
   run.trajectory.v.clear();
   EXPECT_TRUE(field_figures(run).empty());
+}
+
+TEST(Figures, OfACaseKeepANameThatEveryRunHasAFigureOf) {
+  plumb::Run run = run_with("a");
+  run.loaded.spec.figures = {{.name = "strain_map", .y = "tip.y"}};
+  const std::vector<Figure> found = figures(run, {});
+  EXPECT_EQ(names(found),
+            (std::vector<std::string>{"strain_map", "energy", "tension_range", "curvature_range"}));
+  EXPECT_FALSE(found.front().plot.panels[0].heat_map);
 }
 
 TEST(Figures, OfARunAreDrawnInTheThemeOfItsScene) {

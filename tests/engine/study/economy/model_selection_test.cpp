@@ -183,7 +183,7 @@ TEST(Choice, IsReadBackForTheSameCaseAndNoOther) {
   EXPECT_EQ(again->chosen, economy.chosen);
   EXPECT_EQ(again->choice()->candidate.cable, economy.choice()->candidate.cable);
   EXPECT_EQ(again->choice()->candidate.method, economy.choice()->candidate.method);
-  EXPECT_EQ(economy_json(*again), economy_json(economy));
+  EXPECT_EQ(to_stored(*again), to_stored(economy));
   EXPECT_TRUE(decode_choice_made(text, made).has_value());
   EXPECT_FALSE(decode_choice_made(text, source).has_value());
   EXPECT_FALSE(decode_choice(text, choice_key(made)).has_value());

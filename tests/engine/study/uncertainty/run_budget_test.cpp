@@ -46,10 +46,12 @@ TEST(ErrorBudget, OfThePublishedPendulumIsThatOfAnIndependentProgram) {
                              Known{"start", 2.3e-3, 1.2e-2}, Known{"time integration", 5.6e-3, 1.7e-2}}) {
     const BudgetRun& run = run_of(budget, known.name);
     ASSERT_EQ(run.outcome, Outcome::completed) << run.message;
-    EXPECT_EQ(digits(run.from_base[0].sampled, 2), digits(known.mid_y, 2)) << known.name << ", mid.y";
-    EXPECT_EQ(digits(run.from_base[2].sampled, 2), digits(known.tip_z, 2)) << known.name << ", tip.z";
-    for (const BudgetDistance& distance : run.from_base)
-      EXPECT_GE(distance.sampled, distance.at_reference) << known.name;
+    EXPECT_EQ(digits(run.distances[0].from_base->sampled, 2), digits(known.mid_y, 2))
+        << known.name << ", mid.y";
+    EXPECT_EQ(digits(run.distances[2].from_base->sampled, 2), digits(known.tip_z, 2))
+        << known.name << ", tip.z";
+    for (const SeriesDistance& distance : run.distances)
+      EXPECT_GE(distance.from_base->sampled, distance.from_base->at_reference) << known.name;
   }
 }
 
@@ -58,10 +60,12 @@ TEST(ErrorBudget, TheBaseRepeatsTheReferenceToItsRounding) {
   ASSERT_TRUE(budget.base.completed()) << budget.base.message;
   EXPECT_EQ(budget.reference_times, 101U);
   double greatest = 0;
-  for (const double distance : budget.base.from_reference) greatest = std::max(greatest, distance);
+  for (const SeriesDistance& distance : budget.base.distances) {
+    greatest = std::max(greatest, distance.from_reference);
+    EXPECT_FALSE(distance.from_base) << distance.series;
+  }
   EXPECT_NEAR(greatest, 5.5e-6, 0.5e-6);
-  EXPECT_TRUE(budget.base.from_base.empty());
-  EXPECT_GT(budget.together.from_base.at(2).at_reference, 1e-3);
+  EXPECT_GT(budget.together.distances.at(2).from_base.value().at_reference, 1e-3);
 }
 
 TEST(ErrorBudget, AnItemThatFailsIsAResultWithoutDistances) {
@@ -71,7 +75,7 @@ TEST(ErrorBudget, AnItemThatFailsIsAResultWithoutDistances) {
   const ErrorBudget budget = run_budget(loaded, InMemory());
   const BudgetRun& run = budget.entries.at(0).run;
   EXPECT_NE(run.outcome, Outcome::completed);
-  EXPECT_TRUE(run.from_base.empty());
+  EXPECT_TRUE(run.distances.empty());
   EXPECT_FALSE(run.message.empty());
   EXPECT_TRUE(budget.together.completed()) << "it is no part of all together";
 }

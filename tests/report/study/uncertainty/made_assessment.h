@@ -27,8 +27,7 @@ inline Uncertainty made_uncertainty(PartState input = PartState::not_estimated) 
                    9,
                    3,
                    {"cable.density = -1: refused"},
-                   {{"cable.density", Distribution::normal, 0.25, true, "a <sheet>"}},
-                   {1000}};
+                   {{{"cable.density", Distribution::normal, 0.25, true, "a <sheet>"}, 1000}}};
   made.runs = 8;
   made.seconds = 0.5;
   return made;
@@ -43,8 +42,8 @@ inline ErrorBudget made_budget() {
     made.method = method;
     made.elements = 4;
     made.seconds = 0.01;
-    made.from_base = {{1e-3 * scale, 0.5, 1.5e-3 * scale, 0.55}, {4e-3 * scale, 1, 5e-3 * scale, 1}};
-    made.from_reference = {2e-3 * scale, 5e-3 * scale};
+    made.distances = {{"y", 2e-3 * scale, BudgetDistance{1e-3 * scale, 0.5, 1.5e-3 * scale, 0.55}},
+                      {"z", 5e-3 * scale, BudgetDistance{4e-3 * scale, 1, 5e-3 * scale, 1}}};
     return made;
   };
   ErrorBudget made;
@@ -54,8 +53,7 @@ inline ErrorBudget made_budget() {
   made.seconds = 0.25;
   made.series = {{"y", "tip.y", "height", "m"}, {"z", "tip.z", "", "m"}};
   made.base = run("euler", 1);
-  made.base.from_base.clear();
-  made.base.from_reference = {1e-6, 2e-6};
+  made.base.distances = {{"y", 1e-6, {}}, {"z", 2e-6, {}}};
   BudgetRun failed;
   failed.outcome = Outcome::unstable;
   failed.message = "it grew";

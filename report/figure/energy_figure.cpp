@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include "report/figure/ending_mark.h"
+#include "report/figure/run_figures.h"
+
+namespace plumb {
+
+std::optional<Figure> energy_figure(const Run& run) {
+  const Trajectory& trajectory = run.trajectory;
+  const auto part = [&](const std::string& name, auto value) {
+    std::vector<double> values;
+    for (const Energies& e : trajectory.energies) values.push_back(value(e));
+    Series series;
+    series.label = name;
+    series.x = trajectory.times;
+    series.y = std::move(values);
+    return series;
+  };
+  Panel energies;
+  energies.x.label = "time [s]";
+  energies.y.label = "energy [J]";
+  energies.shares_x_below = true;
+  energies.series = {part("kinetic", [](const Energies& e) { return e.kinetic; }),
+                     part("axial strain", [](const Energies& e) { return e.axial; }),
+                     part("bending strain", [](const Energies& e) { return e.bending; }),
+                     part("potential", [](const Energies& e) { return e.potential; }),
+                     part("total", [](const Energies& e) { return e.total(); })};
+  energies.series.back().color = Color{};
+  energies.series.back().dash = Dash::dashed;
+  const double first = trajectory.energies.empty() ? 0 : trajectory.energies.front().total();
+  const double kinetic = trajectory.kinetic_scale();
+  Panel drift;
+  drift.x.label = "time [s]";
+  drift.y.label = kinetic > 0 ? "drift / kinetic [1]" : "drift [J]";
+  drift.y.zero_line = true;
+  drift.height_share = 0.4;
+  drift.series = {
+      part("", [&](const Energies& e) { return (e.total() - first) / (kinetic > 0 ? kinetic : 1); })};
+
+  Figure figure;
+  figure.title = title_of(run, "Energy over time");
+  figure.alt = fmt::format(
+      "Plot of kinetic, axial, bending, potential and total energy over time. The total drifts by at most "
+      "{:.3g} J.",
+      trajectory.energy_drift());
+  mark_ending(run, energies);
+  mark_ending(run, drift);
+  figure.plot.panels = {std::move(energies), std::move(drift)};
+  figure.times = {{true, {}}, {true, {}}};
+  return figure;
+}
+
+}  // namespace plumb
