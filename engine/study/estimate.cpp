@@ -33,6 +33,10 @@ constexpr double finest_for_scene = 256;
 /// Runs of a study at once.
 constexpr double at_once = 2;
 
+double state_bytes(double nodes) {
+  return 2 * (48 * nodes + 40) + 100;
+}
+
 /// The numbers that sizes are made of.
 struct Sizes {
   explicit Sizes(const Case& spec)
@@ -58,7 +62,6 @@ struct Sizes {
 
   double nodes() const { return elements + 1; }
   double states() const { return outputs * state_bytes(nodes()); }
-  static double state_bytes(double nodes) { return 2 * (48 * nodes + 40) + 100; }
 
   double elements;
   double outputs;
@@ -72,12 +75,13 @@ class Estimating {
 
   Estimate result() {
     add(Resource::memory, "", "the program", "", program_bytes);
-    if (work_.solves || work_.writes_run || (work_.draws && work_.study.empty())) holding();
+    if (work_.solves || work_.writes_run || (work_.draws && work_.study == nullptr)) holding();
     if (work_.solves) solving();
     if (work_.writes_run || work_.writes_table) writing();
     if (work_.assesses) assessing();
-    if (work_.quick_study) work_precision(work_precision_of(spec_).quick, "the quick study");
-    if (!work_.study.empty()) studying();
+    if (work_.quick_study)
+      study("the quick study", work_precision_parts(work_precision_of(spec_).quick, run()));
+    if (work_.study != nullptr) study("study", work_.study(spec_, run()));
     if (work_.draws) drawing();
     return std::move(result_);
   }
@@ -141,8 +145,7 @@ class Estimating {
       add(Resource::memory, "uncertainty",
           fmt::format("runs on up to {:.0f} elements, {:.0f} at once", finest, at_once),
           "cable.elements, time.output_interval",
-          (meshes > 0 ? at_once : 0) * sizes_.outputs * Sizes::state_bytes(finest + 1) +
-              at_once * sizes_.states());
+          (meshes > 0 ? at_once : 0) * sizes_.outputs * state_bytes(finest + 1) + at_once * sizes_.states());
       add(Resource::memory, "uncertainty",
           fmt::format("{:.0f} samples × {:.0f} columns", samples, sizes_.columns), "uncertainty.samples",
           (samples + meshes) * (case_bytes() + reference_bytes()));
@@ -172,65 +175,14 @@ class Estimating {
     return static_cast<double>(spec_.references.size()) * times * 8 * sizes_.columns;
   }
 
-  void work_precision(const StudyExtent& extent, const std::string& stage) {
-    double meshes = static_cast<double>(extent.elements.size()) + 1, finest = sizes_.elements;
-    for (const int elements : extent.elements) finest = std::max<double>(finest, elements);
-    const double runs = static_cast<double>(extent.methods.size()) * meshes * extent.points * extent.repeats;
-    // A mesh twice as fine stands for the continuum, and two methods are held against one another on it.
-    add(Resource::memory, stage,
-        fmt::format("references: 4 × {:.0f} outputs × {:.0f} nodes", sizes_.outputs, 2 * finest + 1),
-        "study.work_precision.elements, time.output_interval",
-        4 * sizes_.outputs * Sizes::state_bytes(2 * finest + 1));
-    add(Resource::time, stage, fmt::format("at most {:.0f} timed runs × {:g} s", runs, extent.time_limit),
-        "study.work_precision: elements, methods, points, repeats, time_limit", runs * extent.time_limit);
+  void study(const std::string& stage, std::vector<EstimatedPart> parts) {
+    for (EstimatedPart& part : parts) {
+      part.stage = stage;
+      result_.parts.push_back(std::move(part));
+    }
   }
 
-  void studying() {
-    const std::string stage = "study";
-    if (work_.study == "work-precision") work_precision(work_precision_of(spec_).full, stage);
-    if (work_.study == "stability" && spec_.stability) {
-      const StabilitySpec& s = *spec_.stability;
-      const double columns =
-          static_cast<double>(s.parameter_values.size() + s.elements.size() + s.durations.size());
-      const double runs = static_cast<double>(s.methods.size()) * s.steps * columns;
-      const int finest = s.elements.empty() ? 1 : s.elements.back();
-      add(Resource::memory, stage, fmt::format("{:.0f} runs on up to {} elements", runs, finest),
-          "study.stability: elements, steps, methods",
-          runs * 500 + 4 * sizes_.outputs * Sizes::state_bytes(2.0 * finest + 1));
-      add(Resource::time, stage, fmt::format("at most {:.0f} runs × {:g} s", runs, s.time_limit),
-          "study.stability: methods, steps, elements, parameter_values, durations, time_limit",
-          runs * s.time_limit);
-    }
-    if (work_.study == "sweep" && spec_.sweep) {
-      add(Resource::memory, stage, fmt::format("{} cases", spec_.sweep->cases), "study.sweep.cases",
-          4e3 * spec_.sweep->cases);
-      add(Resource::disk, stage, fmt::format("{} cases", spec_.sweep->cases), "study.sweep.cases",
-          2e3 * spec_.sweep->cases);
-      add(Resource::time, stage,
-          fmt::format("at most {} cases × {:g} s", spec_.sweep->cases, spec_.sweep->time_limit),
-          "study.sweep: cases, time_limit", spec_.sweep->cases * spec_.sweep->time_limit);
-    }
-    if (work_.study == "economy" && spec_.economy) {
-      const double scenes = spec_.economy->scenes + static_cast<double>(spec_.economy->widths.size());
-      constexpr double seconds = 2;
-      add(Resource::memory, stage,
-          fmt::format("{:.0f} scenes, references of {} elements", scenes, spec_.economy->reference_elements),
-          "study.economy: scenes, reference_elements",
-          8e3 * scenes +
-              4 * sizes_.outputs * Sizes::state_bytes(2.0 * spec_.economy->reference_elements + 1));
-      add(Resource::time, stage, fmt::format("{:.0f} scenes", scenes), "study.economy.scenes",
-          seconds * scenes);
-    }
-    if (work_.study == "variants") {
-      const auto variants = static_cast<double>(spec_.variants.size());
-      add(Resource::memory, stage,
-          fmt::format("{:.0f} variants × {:.0f} outputs × {:.0f} nodes", variants, sizes_.outputs,
-                      sizes_.nodes()),
-          "study.variant, cable.elements, time.output_interval", variants * sizes_.states());
-      add(Resource::time, stage, fmt::format("{:.0f} variants", variants), "study.variant",
-          variants * run_seconds());
-    }
-  }
+  RunSize run() const { return {sizes_.elements, sizes_.outputs, run_seconds()}; }
 
   void drawing() {
     const SceneSpec& scene = spec_.scene;
@@ -285,6 +237,23 @@ class Estimating {
 };
 
 }  // namespace
+
+double RunSize::states(double on_elements) const {
+  return outputs * state_bytes(on_elements + 1);
+}
+
+std::vector<EstimatedPart> work_precision_parts(const StudyExtent& extent, const RunSize& run) {
+  double finest = run.elements;
+  for (const int elements : extent.elements) finest = std::max<double>(finest, elements);
+  const double runs = static_cast<double>(extent.methods.size() * (extent.elements.size() + 1)) *
+                      extent.points * extent.repeats;
+  // A mesh twice as fine stands for the continuum, and two methods are held against one another on it.
+  return {{Resource::memory, "",
+           fmt::format("references: 4 × {:.0f} outputs × {:.0f} nodes", run.outputs, 2 * finest + 1),
+           "study.work_precision.elements, time.output_interval", 4 * run.states(2 * finest)},
+          {Resource::time, "", fmt::format("at most {:.0f} timed runs × {:g} s", runs, extent.time_limit),
+           "study.work_precision: elements, methods, points, repeats, time_limit", runs * extent.time_limit}};
+}
 
 std::string_view word(Resource resource) {
   switch (resource) {

@@ -43,16 +43,33 @@ struct Estimate {
   std::vector<EstimatedPart> parts_of(Resource) const;
 };
 
+/// How large one run of a case is.
+struct RunSize {
+  double elements;
+  double outputs;
+  double seconds;  ///< on one processor
+
+  /// Bytes of the states of a run on so many elements.
+  double states(double on_elements) const;
+  double states() const { return states(elements); }
+};
+
+/// The parts that a kind of study will take, without their stage.
+using StudyEstimate = std::vector<EstimatedPart> (*)(const Case& spec, const RunSize& run);
+
+/// Those of a work-precision study as far as that.
+std::vector<EstimatedPart> work_precision_parts(const StudyExtent& extent, const RunSize& run);
+
 /// What is to be done with a case.
 struct PlannedWork {
   bool solves = false;
-  bool writes_run = false;    ///< run.h5 and probes.csv
-  bool writes_table = false;  ///< probes.csv alone
-  bool assesses = false;      ///< [uncertainty] and [error_budget]
-  bool quick_study = false;   ///< the work-precision study of a report
-  bool draws = false;         ///< figures and frames, and the report
-  std::string study = {};     ///< the kind of study: "work-precision"; empty: none
-  double frames = -1;         ///< that are asked for; -1: all
+  bool writes_run = false;        ///< run.h5 and probes.csv
+  bool writes_table = false;      ///< probes.csv alone
+  bool assesses = false;          ///< [uncertainty] and [error_budget]
+  bool quick_study = false;       ///< the work-precision study of a report
+  bool draws = false;             ///< figures and frames, and the report
+  StudyEstimate study = nullptr;  ///< that of the kind of study; nullptr: none
+  double frames = -1;             ///< that are asked for; -1: all
 };
 
 /// Products are made in floating point, so that none is too large to be seen as large.

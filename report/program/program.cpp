@@ -24,6 +24,7 @@
 #include "report/program/command_line_texts.h"
 #include "report/program/installed_cases.h"
 #include "report/program/limits.h"
+#include "report/program/results_schema.h"
 #include "report/program/study_kinds.h"
 #include "report/program/surroundings.h"
 #include "report/program/verbs.h"
@@ -254,6 +255,8 @@ void add_texts(CLI::App& app) {
       "the names of the cases that came with the program");
   app.add_flag_callback(
       "--manual", [=, &app] { say(manual_page(app)); }, "the manual page, in roff");
+  app.add_flag_callback(
+      "--schema", [=] { say(results_schema()); }, "the JSON Schema of results.json");
   app.add_option_function<std::string>(
          "--completion", [=, &app](const std::string& shell) { say(completion(app, shell)); },
          "what completes command lines in a shell: bash, zsh or fish")

@@ -23,8 +23,8 @@ ExitStatus do_study(const Options& options, Console& console) {
   const StudyKind& kind = chosen_study_kind(options, loaded.spec);
   const std::string path =
       options.output.empty() ? output_path(options, loaded) + kind.folder : options.output;
-  check_estimate(loaded.spec, {.draws = true, .study = kind.name, .frames = 0}, loaded.source.file.name, path,
-                 options, console);
+  check_estimate(loaded.spec, {.draws = true, .study = kind.estimate, .frames = 0}, loaded.source.file.name,
+                 path, options, console);
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && !kind.asks_what_a_scene_needs)
     loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, console);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/study/estimate.h"
 #include "engine/study/runner.h"
 #include "report/figure/pictures.h"
 #include "report/study/study_report.h"
@@ -48,6 +49,8 @@ struct StudyKind {
   std::string folder;                    ///< what the default output folder has after the case's name
   bool (*asked_for)(const Case& spec);   ///< the case has its table
   bool asks_what_a_scene_needs = false;  ///< for others, that is the answer to start from
+  StudyEstimate estimate;                ///< of what it takes of the machine
+  std::string_view schema;               ///< JSON Schema of what results.json has under its name
   /// Throws InputError where the case has nothing for it.
   std::unique_ptr<MadeStudy> (*make)(const LoadedCase& loaded, Runner& runner);
   /// From the text of study.json, which names this kind; nullptr for a study that is kept in study.h5. Throws

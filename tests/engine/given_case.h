@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/case/case_source.h"
+#include "tests/engine/made_case.h"
 
 namespace plumb {
 
@@ -13,13 +13,8 @@ inline CaseSource given_case(const std::string& file, const std::string& run_key
   source.file = {"case.toml", R"(title = "Given"
 [[run]]
 file = "chrono.csv"
-)" + run_keys + R"(
-[cable]
-length = 2
-area = 1e-6
-density = 1000
-youngs_modulus = 1e6
-[[probe]]
+)" + run_keys + "\n" + soft_cable +
+                                  R"([[probe]]
 name = "tip"
 at = 1.0
 [[probe]]
@@ -32,21 +27,7 @@ file = "known.toml"
 compare = { y = "tip.y" }
 tolerance = 0.125
 )" + extra};
-  source.references = {{"known.toml", R"(title = "known"
-kind = "published"
-source = "a"
-obtained = "by hand"
-time_unit = "s"
-columns = ["t", "y"]
-rows = [[0.0, 0.0], [0.5, -0.25], [1.0, -1.0]]
-[[series]]
-name = "y"
-description = "height"
-figure = "Fig. 1"
-unit = "m"
-uncertainty = 0.01
-uncertainty_basis = "guess"
-)"}};
+  source.references = {MadeReference{.rows = "[0.0, 0.0], [0.5, -0.25], [1.0, -1.0]"}.text()};
   source.given_runs = {{"chrono.csv", file}};
   return source;
 }

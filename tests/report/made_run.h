@@ -3,19 +3,14 @@
 #include <string>
 
 #include "engine/run/run.h"
+#include "tests/engine/made_case.h"
 
 namespace plumb {
 
 /// A run of three outputs made by hand: a vertical cable whose tip falls as −t², beside figures that know it.
 inline Run run_with(const std::string& title, const std::string& extra = "") {
   CaseSource source;
-  source.file = {"made/by<hand>.toml", R"(title = ")" + title + R"("
-[cable]
-length = 2
-area = 1e-6
-density = 1000
-youngs_modulus = 1e6
-elements = 1
+  source.file = {"made/by<hand>.toml", "title = \"" + title + "\"\n" + soft_cable + R"(elements = 1
 [method]
 name = "rk4"
 step = 0.1
@@ -32,21 +27,9 @@ file = "known.toml"
 compare = { y = "tip.y" }
 tolerance = 0.125
 )" + extra};
-  source.references = {{"known.toml", R"(title = "known <b>"
-kind = "published"
-source = "a & b"
-obtained = "by hand"
-time_unit = "s"
-columns = ["t", "y"]
-rows = [[0.0, 0.0], [0.5, -0.25], [1.0, -0.9]]
-[[series]]
-name = "y"
-description = "height"
-figure = "Fig. 1"
-unit = "m"
-uncertainty = 0.01
-uncertainty_basis = "guess"
-)"}};
+  source.references = {
+      MadeReference{.rows = "[0.0, 0.0], [0.5, -0.25], [1.0, -0.9]", .title = "known <b>", .source = "a & b"}
+          .text()};
   Run run;
   run.loaded = load_case(source);
   run.trajectory.outcome = Outcome::completed;

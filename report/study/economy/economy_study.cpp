@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "engine/study/economy/economy_study_json.h"
 #include "engine/study/economy/run_economy.h"
 #include "report/study/economy/economy_gauge.h"
@@ -5,6 +7,9 @@
 #include "report/study/made_study.h"
 
 namespace plumb {
+
+extern const std::string_view economy_schema_json;
+
 namespace {
 
 class MadeEconomy : public MadeStudy {
@@ -30,15 +35,27 @@ class MadeEconomy : public MadeStudy {
   EconomyStudy study_;
 };
 
-}  // namespace
+std::vector<EstimatedPart> economy_parts(const Case& spec, const RunSize& run) {
+  constexpr double seconds_a_scene = 2;
+  const EconomySpec economy = economy_study_of(spec);
+  const double scenes = economy.scenes + static_cast<double>(economy.widths.size());
+  return {{Resource::memory, "",
+           fmt::format("{:.0f} scenes, references of {} elements", scenes, economy.reference_elements),
+           "study.economy: scenes, reference_elements",
+           8e3 * scenes + 4 * run.states(2.0 * economy.reference_elements)},
+          {Resource::time, "", fmt::format("{:.0f} scenes", scenes), "study.economy.scenes",
+           seconds_a_scene * scenes}};
+}
 
-StudyKind economy_study();
+}  // namespace
 
 StudyKind economy_study() {
   return {economy_kind,
           "_economy",
           [](const Case& spec) { return spec.economy.has_value(); },
           true,
+          economy_parts,
+          economy_schema_json,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeEconomy>(run_economy(loaded, gauge_maker, runner));
           },

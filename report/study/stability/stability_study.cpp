@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include "engine/read/case_sections.h"
 #include "engine/study/stability/run_stability.h"
 #include "report/study/made_study.h"
 #include "report/study/stability/stability_figures.h"
 #include "report/study/stability/stability_results.h"
 
 namespace plumb {
+
+extern const std::string_view stability_schema_json;
+
 namespace {
 
 class MadeStability : public MadeStudy {
@@ -36,15 +40,28 @@ class MadeStability : public MadeStudy {
   StabilityStudyFile study_;
 };
 
-}  // namespace
+std::vector<EstimatedPart> stability_parts(const Case& spec, const RunSize& run) {
+  const StabilitySpec s = stability_of(spec);
+  const auto columns =
+      static_cast<double>(s.parameter_values.size() + s.elements.size() + s.durations.size());
+  const double runs = static_cast<double>(s.methods.size()) * s.steps * columns;
+  const int finest = s.elements.empty() ? 1 : s.elements.back();
+  return {{Resource::memory, "", fmt::format("{:.0f} runs on up to {} elements", runs, finest),
+           "study.stability: elements, steps, methods", runs * 500 + 4 * run.states(2.0 * finest)},
+          {Resource::time, "", fmt::format("at most {:.0f} runs × {:g} s", runs, s.time_limit),
+           "study.stability: methods, steps, elements, parameter_values, durations, time_limit",
+           runs * s.time_limit}};
+}
 
-StudyKind stability_study();
+}  // namespace
 
 StudyKind stability_study() {
   return {stability_kind,
           "_stability",
           [](const Case& spec) { return spec.stability.has_value(); },
           false,
+          stability_parts,
+          stability_schema_json,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeStability>(StabilityStudyFile{loaded, run_stability(loaded, runner)});
           },

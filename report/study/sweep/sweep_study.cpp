@@ -6,6 +6,9 @@
 #include "report/study/sweep/sweep_results.h"
 
 namespace plumb {
+
+extern const std::string_view sweep_schema_json;
+
 namespace {
 
 class MadeSweep : public MadeStudy {
@@ -35,15 +38,24 @@ class MadeSweep : public MadeStudy {
   Sweep sweep_;
 };
 
-}  // namespace
+std::vector<EstimatedPart> sweep_parts(const Case& spec, const RunSize&) {
+  const SweepSpec sweep = sweep_of(spec);
+  const std::string cases = fmt::format("{} cases", sweep.cases);
+  return {{Resource::memory, "", cases, "study.sweep.cases", 4e3 * sweep.cases},
+          {Resource::disk, "", cases, "study.sweep.cases", 2e3 * sweep.cases},
+          {Resource::time, "", fmt::format("at most {} × {:g} s", cases, sweep.time_limit),
+           "study.sweep: cases, time_limit", sweep.cases * sweep.time_limit}};
+}
 
-StudyKind sweep_study();
+}  // namespace
 
 StudyKind sweep_study() {
   return {"sweep",
           "_sweep",
           [](const Case& spec) { return spec.sweep.has_value(); },
           false,
+          sweep_parts,
+          sweep_schema_json,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeSweep>(run_sweep(loaded, runner));
           },

@@ -7,6 +7,9 @@
 #include "report/study/variants/variants_results.h"
 
 namespace plumb {
+
+extern const std::string_view variants_schema_json;
+
 namespace {
 
 class MadeVariants : public MadeStudy {
@@ -45,15 +48,25 @@ class MadeVariants : public MadeStudy {
   VariantsStudy study_;
 };
 
-}  // namespace
+std::vector<EstimatedPart> variants_parts(const Case& spec, const RunSize& run) {
+  const auto variants = static_cast<double>(spec.variants.size());
+  return {{Resource::memory, "",
+           fmt::format("{:.0f} variants × {:.0f} outputs × {:.0f} nodes", variants, run.outputs,
+                       run.elements + 1),
+           "study.variant, cable.elements, time.output_interval", variants * run.states()},
+          {Resource::time, "", fmt::format("{:.0f} variants", variants), "study.variant",
+           variants * run.seconds}};
+}
 
-StudyKind variants_study();
+}  // namespace
 
 StudyKind variants_study() {
   return {"variants",
           "_variants",
           [](const Case& spec) { return !spec.variants.empty(); },
           false,
+          variants_parts,
+          variants_schema_json,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             if (loaded.spec.variants.empty())
               throw InputError(loaded.source.file.name + ": has no [[study.variant]] to run");

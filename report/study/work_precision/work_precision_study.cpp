@@ -13,6 +13,9 @@
 #include "report/study/work_precision/work_precision_results.h"
 
 namespace plumb {
+
+extern const std::string_view work_precision_schema_json;
+
 namespace {
 
 void add_cheapest(const std::string& title, const std::vector<CheapestRun>& cheapest,
@@ -106,19 +109,23 @@ class MadeWorkPrecision : public MadeStudy {
   Study study_;
 };
 
+std::vector<EstimatedPart> parts_of_all(const Case& spec, const RunSize& run) {
+  return work_precision_parts(work_precision_of(spec).full, run);
+}
+
 }  // namespace
 
 std::unique_ptr<MadeStudy> made_study(Study study) {
   return std::make_unique<MadeWorkPrecision>(std::move(study));
 }
 
-StudyKind work_precision_study();
-
 StudyKind work_precision_study() {
   return {"work-precision",
           "_study",
           [](const Case& spec) { return spec.work_precision.has_value(); },
           false,
+          parts_of_all,
+          work_precision_schema_json,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             return made_study({loaded, run_work_precision(loaded.spec, false, runner)});
           },

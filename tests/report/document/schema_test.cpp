@@ -9,6 +9,7 @@
 #include "engine/base/document_sum.h"
 #include "report/document/document.h"
 #include "report/index/run_index.h"
+#include "report/program/results_schema.h"
 #include "report/study/economy/economy_results.h"
 #include "report/study/stability/stability_results.h"
 #include "report/study/sweep/sweep_results.h"
@@ -29,8 +30,10 @@ const std::string source = PLUMB_SOURCE_DIR;
 
 /// Holds files against the schema of results.json by a validator of another language.
 Ended check(const fs::path& folder, const std::vector<std::string>& files) {
-  std::vector<std::string> command{"/usr/bin/python3", source + "/tests/check_schema.py",
-                                   source + "/report/results.schema.json"};
+  static const TemporaryFolder schema;
+  static const std::string path = (schema / "results.schema.json").string();
+  if (!fs::exists(path)) write_text(path, results_schema());
+  std::vector<std::string> command{"/usr/bin/python3", source + "/tests/check_schema.py", path};
   command.insert(command.end(), files.begin(), files.end());
   return run_command(command, folder);
 }

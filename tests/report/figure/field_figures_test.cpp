@@ -87,7 +87,9 @@ TEST(FieldFigures, OfARunWithoutOutputsAreNone) {
 
 TEST(Figures, OfACaseKeepANameThatEveryRunHasAFigureOf) {
   plumb::Run run = run_with("a");
-  run.loaded.spec.figures = {{.name = "strain_map", .y = "tip.y"}};
+  FigureSpec& figure = run.loaded.spec.figures.emplace_back();
+  figure.name = "strain_map";
+  figure.y = "tip.y";
   const std::vector<Figure> found = figures(run, {});
   EXPECT_EQ(names(found),
             (std::vector<std::string>{"strain_map", "energy", "tension_range", "curvature_range"}));

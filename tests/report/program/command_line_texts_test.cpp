@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/base/errors.h"
 #include "render/gl/environment.h"
 #include "report/program/installed_cases.h"
+#include "report/program/study_kinds.h"
 #include "report/program/verbs.h"
 #include "tests/report/program/program.h"
 
@@ -27,6 +30,16 @@ TEST(CommandLineTexts, ManualHasEveryVerbOptionAndVariable) {
   }
   for (const EnvironmentVariable& variable : environment_variables())
     EXPECT_NE(page.find(std::string("\n.B ") + std::string(variable.name)), page.npos) << variable.name;
+}
+
+TEST(CommandLineTexts, SchemaHasEveryTableOfACaseAndEveryKindOfStudy) {
+  const auto schema = nlohmann::json::parse(said({"--schema"}));
+  const auto& study = schema.at("$defs").at("study");
+  EXPECT_EQ(study.at("oneOf").size(), study_kinds().size());
+  const auto& tables = schema.at("$defs").at("case").at("properties");
+  for (const char* table : {"cable", "start", "supports", "loads", "time"})
+    EXPECT_FALSE(tables.at(table).at("required").empty()) << table;
+  EXPECT_EQ(tables.at("cable").at("properties").at("density").at("description"), "kg/m³");
 }
 
 TEST(CommandLineTexts, BashCompletesVerbsOptionsAndCases) {

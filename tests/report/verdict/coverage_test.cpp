@@ -69,21 +69,9 @@ tolerance = 0.01
 {})",
                                run_keys, other.empty() ? "" : "[[run]]\nfile = \"h.csv\"\n" + other_keys,
                                reference_keys, extra)};
-    source.references = {{"known.toml", fmt::format(R"(title = "known"
-kind = "computed"
-source = "a"
-obtained = "by hand"
-time_unit = "s"
-columns = ["t", "x"]
-rows = [{}]
-[[series]]
-name = "x"
-figure = "Fig. 1"
-unit = "m"
-uncertainty = 0.001
-uncertainty_basis = "guess"
-)",
-                                                    reference_rows)}};
+    source.references = {
+        MadeReference{.rows = reference_rows, .kind = "computed", .series = "x", .uncertainty = 0.001}
+            .text()};
     source.given_runs = {{"g.csv", run}};
     if (!other.empty()) source.given_runs.push_back({"h.csv", other});
     source.overrides = overrides;

@@ -8,6 +8,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/study/uncertainty/assessment.h"
 #include "engine/study/uncertainty/uncertainty_parts.h"
+#include "tests/engine/made_case.h"
 #include "tests/engine/study/in_memory.h"
 
 namespace plumb {
@@ -41,20 +42,12 @@ file = "book.toml"
 compare = { y = "mid.y" }
 tolerance = 0.1
 )" + extra};
-  source.references = {{"book.toml", R"(title = "book"
-kind = "published"
-source = "a"
-obtained = "by hand"
-time_unit = "s"
-columns = ["t", "y"]
-rows = [[0.0, 0.0], [0.5, -1.25], [1.0, -5.01]]
-[[series]]
-name = "y"
-figure = "Fig. 1"
-unit = "m"
-uncertainty = 0.003
-uncertainty_basis = "half a unit of the last printed digit"
-)"}};
+  source.references = {MadeReference{.rows = "[0.0, 0.0], [0.5, -1.25], [1.0, -5.01]",
+                                     .file = "book.toml",
+                                     .title = "book",
+                                     .uncertainty = 0.003,
+                                     .basis = "half a unit of the last printed digit"}
+                           .text()};
   return source;
 }
 
