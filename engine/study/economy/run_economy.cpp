@@ -130,11 +130,6 @@ std::array<double, 2> safe_run(const Case& spec) {
   return {safe.solve_seconds, safe.end_time};
 }
 
-CaseSource with(CaseSource source, const std::vector<std::string>& overrides) {
-  source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
-  return source;
-}
-
 bool has_both(const TriedCandidate& tried) {
   return tried.estimate > 0 && std::isfinite(tried.estimate) && tried.true_error >= 0;
 }
@@ -162,7 +157,9 @@ RandomScene run_random_scene(const LoadedCase& loaded, const EconomySpec& study,
   RandomScene scene;
   scene.number = number;
   scene.overrides = scene_overrides(loaded.spec, study.seed, number);
-  const Case spec = load_case(with(loaded.source, scene.overrides)).spec;
+  CaseSource source = loaded.source;
+  source.overrides.insert(source.overrides.end(), scene.overrides.begin(), scene.overrides.end());
+  const Case spec = load_case(source).spec;
   const Economy economy = choose_candidate(spec, gauge_of(spec));
   const TriedCandidate& choice = *economy.choice();
   scene.chosen = in_words(choice.candidate);
