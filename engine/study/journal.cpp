@@ -19,10 +19,8 @@
 namespace plumb {
 namespace {
 
-using Json = nlohmann::json;
-
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string text_of(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 constexpr std::size_t sum_digits = 8;
@@ -52,7 +50,7 @@ bool is_ours(std::string_view text, std::string_view own_heading) {
   constexpr std::size_t longest = 4096;
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos || end > longest || !text.starts_with(begin)) return false;
-  const Json first = Json::parse(text.substr(0, end), nullptr, false);
+  const nlohmann::json first = nlohmann::json::parse(text.substr(0, end), nullptr, false);
   return first.is_object() && first.size() == 2 && first.contains("plumb_study_journal") &&
          first["plumb_study_journal"].is_number_integer() && first["identity"].is_string();
 }
@@ -120,7 +118,7 @@ bool Journal::take(const std::string& line, const std::string& identity) {
   const std::string text = line.substr(sum_digits + 1);
   if (!line.starts_with(check_sum(text, identity))) return false;
   try {
-    const auto json = parse_json<Json>(text, path_);
+    const auto json = parse_json<nlohmann::json>(text, path_);
     results_[json.at("point").get<std::string>()] = text_of(json.at("result"));
   } catch (const Interrupted&) {
     throw;

@@ -32,7 +32,7 @@ constexpr double safe_phase = 2.5;  // ωh of its steps, of the fastest vibratio
 constexpr double share_of_limit = 0.65;
 
 /// A number that its text of six digits gives exactly.
-double in_short(double value) {
+double rounded(double value) {
   return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
 
@@ -54,7 +54,7 @@ Candidate leapfrog(const Case& spec, CableSpec cable, double share_of_step) {
   const double longest = scene_output_interval(spec) / 2;
   Candidate candidate{cable,
                       with_step(usual_explicit(),
-                                in_short(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
+                                rounded(std::min(longest, share_of_limit * 2 / frequency) * share_of_step))};
   candidate.work = steps(spec, candidate) * (chain ? leapfrog_chain : leapfrog_cable).of(cable.elements);
   return candidate;
 }
@@ -101,7 +101,7 @@ Candidate rigid_candidate(const Case& spec) {
   const double fastest = std::sqrt(spec.start.angular_velocity.squaredNorm() + 4 * pull);
   const double longest = scene_output_interval(spec);
   Candidate candidate{cable, with_step(rigid_rod_method(),
-                                       in_short(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
+                                       rounded(fastest > 0 ? std::min(longest, phase / fastest) : longest))};
   candidate.work = steps(spec, candidate) * rigid_step.of(1);
   return candidate;
 }

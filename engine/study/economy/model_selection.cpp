@@ -20,7 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Meshes of the full model, each twice as fine as the one before.
-constexpr int coarsest = 1, finest = 256;
+constexpr int coarsest_mesh = 1, finest_mesh = 256;
 /// Meshes below this are too coarse to tell anything by how they agree.
 constexpr int telling = 4;
 
@@ -122,7 +122,7 @@ class Search {
   /// estimates of others sharper.
   void refine() {
     bool held = false;
-    for (int elements = coarsest; elements <= finest; elements *= 2) {
+    for (int elements = coarsest_mesh; elements <= finest_mesh; elements *= 2) {
       bool done = false;
       for (const double share : {1.0, 0.5, 0.25}) {
         const Candidate candidate = cable_candidate(spec_, elements, share);

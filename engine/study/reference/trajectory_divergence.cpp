@@ -17,7 +17,7 @@ namespace {
 /// The same steps for every motion, so that what the method does wrong it does to both neighbours: ωh of the
 /// fastest vibration at the start, about half of the method's limit, and fewer where that does not serve.
 constexpr double first_z = 1.5;
-constexpr int most_halvings = 3;
+constexpr int most_halved = 3;
 
 double greatest_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double greatest = 0;
@@ -48,7 +48,7 @@ class Neighbours {
     method_ = plain_method(accurate_explicit());
     const double omega = fastest_vibration(cable_, cable_.start_q(spec.start)).frequency;
     double steps = std::ceil(std::max(time_.output_interval * omega / first_z, 4.0));
-    for (int halvings = 0; halvings <= most_halvings; ++halvings, steps *= 2) {
+    for (int halvings = 0; halvings <= most_halved; ++halvings, steps *= 2) {
       method_.step = time_.output_interval / steps;
       motion_ = run(0);
       if (motion_.outcome == Outcome::completed || motion_.outcome == Outcome::out_of_time) break;

@@ -33,9 +33,9 @@ Frequencies frequencies(Case spec, double time_limit) {
   return result;
 }
 
-class Search {
+class StepSearch {
  public:
-  Search(const Case& spec, CriticalStep& found, double time_limit)
+  StepSearch(const Case& spec, CriticalStep& found, double time_limit)
       : spec_(spec), found_(found), time_limit_(time_limit) {}
 
   /// Encloses the limit, going up or down from a step (s), and then bisects.
@@ -98,7 +98,7 @@ CriticalStep critical_step(const Case& spec, const MethodSpec& method, double ti
   }
   // Implicit methods go far beyond what an explicit one could.
   constexpr double below = 0.95, implicit_reach = 30;
-  Search search(spec, found, time_limit);
+  StepSearch search(spec, found, time_limit);
   search.from(found.limit_kind == LimitKind::vibration ? below * found.predicted.at_worst
                                                        : implicit_reach / fastest.at_worst);
   return found;

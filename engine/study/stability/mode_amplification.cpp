@@ -1,12 +1,12 @@
 #include "engine/study/stability/mode_amplification.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <memory>
 #include <numbers>
 
+#include "engine/base/least_squares.h"
 #include "engine/base/parallel.h"
 #include "engine/integrate/dynamics.h"
 #include "engine/integrate/linear_stability.h"
@@ -99,7 +99,7 @@ double growth_a_step(const std::vector<double>& series) {
     before.row(k) /= scale;
     after[k] /= scale;
   }
-  const Eigen::Vector2d fit = before.colPivHouseholderQr().solve(after);
+  const Eigen::VectorXd fit = least_squares(before, after).x;
   const std::complex<double> root = std::sqrt(std::complex<double>(fit[0] * fit[0] / 4 + fit[1]));
   return std::max(std::abs(fit[0] / 2 + root), std::abs(fit[0] / 2 - root));
 }

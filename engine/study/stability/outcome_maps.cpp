@@ -19,7 +19,7 @@ namespace plumb {
 namespace {
 
 /// One integration and the points that it gives, one each time at which it is looked at.
-struct Run {
+struct MapRun {
   const MethodSetting* variant;
   const ReferenceMotion* motion;
   double setting;
@@ -45,7 +45,7 @@ StabilityPoint point_of(const Trajectory& run, const ReferenceMotion& motion, do
   return point;
 }
 
-std::vector<StabilityPoint> points_of(const Run& run, double tolerance, double time_limit) {
+std::vector<StabilityPoint> points_of(const MapRun& run, double tolerance, double time_limit) {
   Case spec = run.motion->spec;
   spec.time.end = run.ends.back();
   spec.method = run.variant->with(run.setting);
@@ -56,7 +56,7 @@ std::vector<StabilityPoint> points_of(const Run& run, double tolerance, double t
 }
 
 /// A guess, to begin with the longest.
-double work(const Run& run) {
+double work(const MapRun& run) {
   const double steps = run.variant->by_step ? run.ends.back() / run.setting : 1e3;
   return steps * run.motion->spec.cable.elements * (run.variant->info->implicit ? 10 : 1);
 }
@@ -83,14 +83,14 @@ class Maps {
 
   void execute_all(Runner& runner) {
     std::vector<StudyPoint<std::vector<StabilityPoint>>> points;
-    for (const Run& run : runs_)
+    for (const MapRun& run : runs_)
       points.push_back({fmt::format("{}, {}, {}, to {} s", run.variant->label, run.setting,
                                     run.motion->in_words(), fmt::join(run.ends, ", ")),
                         [this, &run] { return points_of(run, what_.tolerance, what_.time_limit); },
                         work(run)});
     std::vector<std::vector<StabilityPoint>> found = runner.run("maps", points);
     for (std::size_t k = 0; k < runs_.size(); ++k) runs_[k].points = std::move(found[k]);
-    for (const Run& run : runs_) by_key_[{run.variant, run.motion, run.setting}] = &run;
+    for (const MapRun& run : runs_) by_key_[{run.variant, run.motion, run.setting}] = &run;
   }
 
   /// Of each variant on each motion.
@@ -158,7 +158,7 @@ class Maps {
       const ReferenceMotion& motion = motion_of(axis, value);
       const double end = axis == MapAxis::duration ? value : end_;
       for (const double setting : map.settings) {
-        const Run& run = *by_key_.at({&variant, &motion, setting});
+        const MapRun& run = *by_key_.at({&variant, &motion, setting});
         const auto at = std::find(run.ends.begin(), run.ends.end(), end) - run.ends.begin();
         map.points.push_back(run.points[static_cast<std::size_t>(at)]);
       }
@@ -185,8 +185,8 @@ class Maps {
   const std::vector<MethodSetting>& variants_;
   const StabilityMotions& motions_;
   std::vector<double> ends_of_base_;
-  std::vector<Run> runs_;
-  std::map<Key, const Run*> by_key_;
+  std::vector<MapRun> runs_;
+  std::map<Key, const MapRun*> by_key_;
   std::map<std::pair<const MethodSetting*, const ReferenceMotion*>, PredictedLimit> limits_;
 };
 

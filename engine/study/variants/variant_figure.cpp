@@ -1,11 +1,11 @@
 #include "engine/study/variants/variant_figure.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 
+#include "engine/base/least_squares.h"
 #include "engine/case/probe_columns.h"
 #include "engine/case/variant_quantities.h"
 
@@ -105,9 +105,9 @@ double growth_of(const std::vector<double>& samples) {
     left.row(k) << samples[at + 1] / scale, -samples[at] / scale, 1;
     right[k] = samples[at + 2] / scale;
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(left);
-  if (!left.allFinite() || fit.rank() < 3) return none;
-  const Eigen::Vector3d x = fit.solve(right);
+  if (!left.allFinite()) return none;
+  const auto [x, rank] = least_squares(left, right);
+  if (rank < 3) return none;
   const std::complex<double> root = std::sqrt(std::complex<double>(x[0] * x[0] / 4 - x[1]));
   return std::max(std::abs(x[0] / 2 + root), std::abs(x[0] / 2 - root));
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "render/gl/gl_context.h"
+#include "report/study/panel_parts.h"
 #include "report/study/stability/map_panel.h"
 #include "report/study/stability/stability_results.h"
 #include "report/verdict/results.h"
@@ -75,18 +76,6 @@ std::string file_name_of(const std::string& label) {
   return name;
 }
 
-Axis log_axis(const std::string& label) {
-  Axis axis;
-  axis.label = label;
-  axis.scale = Scale::logarithmic;
-  return axis;
-}
-
-void add(Series& series, double x, double y) {
-  series.x.push_back(x);
-  series.y.push_back(y);
-}
-
 Color colour(std::size_t k) {
   return palette[k % palette.size()];
 }
@@ -107,8 +96,8 @@ Panel limits_panel(const Stability& study, MapAxis axis) {
     if (!lines.contains(step.label)) order.push_back(step.label);
     auto& [found, predicted] = lines[step.label];
     const double x = parameter ? step.parameter : step.elements;
-    add(found, x, found_step(step));
-    add(predicted, x, predicted_step(step));
+    add_point(found, x, found_step(step));
+    add_point(predicted, x, predicted_step(step));
     if (std::find(panel.x.ticks.begin(), panel.x.ticks.end(), x) == panel.x.ticks.end())
       panel.x.ticks.push_back(x);
   }
@@ -194,7 +183,7 @@ Figure energy_figure(const Stability& study) {
     end.line_width = 0;
     end.marker = Marker::cross;
     end.marker_size = 1.4;
-    add(end, history.times.back(), history.change.back());
+    add_point(end, history.times.back(), history.change.back());
     panel.series.push_back(std::move(end));
     ends += fmt::format(" {}{}{} ended {} at {:.3g} s.", history.label, title.empty() ? "" : " at ", title,
                         word(history.outcome), history.times.back());
@@ -243,9 +232,9 @@ Figure amplification_figure(const Stability& study) {
       point.marker = markers[k % markers.size()];
       line.marker = Marker::none;
     }
-    add(lines[k], mode.steps_a_period, mode.predicted);
+    add_point(lines[k], mode.steps_a_period, mode.predicted);
     if (mode.measured >= 0) {
-      add(points[k], mode.steps_a_period, mode.measured);
+      add_point(points[k], mode.steps_a_period, mode.measured);
       off = std::max(off, std::abs(mode.measured - mode.predicted) / std::max(1.0, mode.predicted));
     }
     if (std::find(panel.x.ticks.begin(), panel.x.ticks.end(), mode.steps_a_period) == panel.x.ticks.end())

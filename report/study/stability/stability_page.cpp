@@ -24,18 +24,18 @@ namespace {
 
 using kainjow::mustache::data;
 
-std::string number(double value) {
+std::string four_digits(double value) {
   if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
   return std::isnan(value) ? "–" : fmt::format("{:.4g}", value);
 }
 
 /// A step, or another number that is -1 where it is not known.
-std::string known(double value) {
+std::string step_text(double value) {
   return value < 0 ? "–" : std::isinf(value) ? "none" : setting_text(value, 4);
 }
 
 std::string share(double value) {
-  return std::isfinite(value) ? fmt::format("{:+.3g}", value) : number(value);
+  return std::isfinite(value) ? fmt::format("{:+.3g}", value) : four_digits(value);
 }
 
 void set_picture(data& values, const std::string& key, const std::vector<Picture>& pictures,
@@ -131,10 +131,10 @@ data limit_rows(const Stability& study) {
     row["label"] = step.label;
     row["value"] = fmt::format("{:g}", step.parameter);
     row["elements"] = std::to_string(step.elements);
-    row["stable"] = known(step.stable);
-    row["unstable"] = known(step.unstable);
-    row["start"] = known(step.predicted.at_start);
-    row["worst"] = known(step.predicted.at_worst);
+    row["stable"] = step_text(step.stable);
+    row["unstable"] = step_text(step.unstable);
+    row["start"] = step_text(step.predicted.at_start);
+    row["worst"] = step_text(step.predicted.at_worst);
     row["deviation"] = std::isnan(off) ? "–" : fmt::format("{:+.1f} %", 100 * off);
     row["beyond"] = step.unstable > 0 ? std::string(word(step.beyond)) : "–";
     rows.push_back(row);
@@ -181,14 +181,14 @@ data separation_rows(const Stability& study) {
     data row;
     row["value"] = fmt::format("{:g}", divergence.parameter);
     row["elements"] = std::to_string(divergence.elements);
-    row["exponent"] = number(divergence.exponent);
+    row["exponent"] = four_digits(divergence.exponent);
     row["horizon"] = divergence.horizon < 0 && !divergence.beyond_end ? "–"
                      : divergence.beyond_end ? fmt::format("beyond {:g} s", reference.duration)
                                              : fmt::format("{:.3g} s", divergence.horizon);
-    row["trusted"] = known(reference.trusted_until);
+    row["trusted"] = step_text(reference.trusted_until);
     row["agreement"] = reference.agreement < 0 ? "–" : fmt::format("{:.1e}", reference.agreement);
-    row["start"] = number(reference.frequency_at_start);
-    row["worst"] = number(reference.frequency_at_worst);
+    row["start"] = four_digits(reference.frequency_at_start);
+    row["worst"] = four_digits(reference.frequency_at_worst);
     rows.push_back(row);
   }
   return rows;

@@ -9,6 +9,7 @@
 #include "engine/study/work_precision/pareto.h"
 #include "report/figure/curve_style.h"
 #include "report/figure/number_markup.h"
+#include "report/study/panel_parts.h"
 #include "report/study/work_precision/compared_lines.h"
 #include "report/verdict/results.h"
 
@@ -38,19 +39,6 @@ Series styled(const std::string& label, const CurveStyle& style) {
   series.open_marker = style.open_marker;
   series.dash = style.dash;
   return series;
-}
-
-void add(Series& series, double x, double y) {
-  series.x.push_back(x);
-  series.y.push_back(y);
-}
-
-Axis log_axis(const std::string& label, std::optional<std::array<double, 2>> range = {}) {
-  Axis axis;
-  axis.label = label;
-  axis.range = range;
-  axis.scale = Scale::logarithmic;
-  return axis;
 }
 
 /// A picture of error against work under construction.
@@ -141,7 +129,7 @@ class WorkFigure {
   void add_front(Panel& panel) const {
     Series front;
     for (const std::size_t k : front_of(study_, question_))
-      if (fate(k) == RunFate::good && work(k) > 0) add(front, work(k), error(k));
+      if (fate(k) == RunFate::good && work(k) > 0) add_point(front, work(k), error(k));
     if (front.x.empty()) return;
     front.label = "Pareto front";
     front.color = front_color;
@@ -161,14 +149,14 @@ class WorkFigure {
       points.push_back(fate(k) == RunFate::good ? WorkError{work(k), error(k)} : WorkError{});
     if (question_ == StudyQuestion::time) {
       // What is not good has no place on the axes, and breaks the line.
-      for (const WorkError& point : points) add(series, point.seconds, point.error);
+      for (const WorkError& point : points) add_point(series, point.seconds, point.error);
     } else {
       // Over several meshes, a method is as good as its own front; what lies behind stays as small points.
       const std::vector<std::size_t> best = pareto_front(points);
-      for (const std::size_t i : best) add(series, points[i].seconds, points[i].error);
+      for (const std::size_t i : best) add_point(series, points[i].seconds, points[i].error);
       for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i].error > 0 && std::find(best.begin(), best.end(), i) == best.end())
-          add(others, points[i].seconds, points[i].error);
+          add_point(others, points[i].seconds, points[i].error);
     }
     if (!others.x.empty()) panel.series.push_back(std::move(others));
     panel.series.push_back(std::move(series));
@@ -187,9 +175,9 @@ class WorkFigure {
       failed.marker = Marker::cross;
       failed.marker_size = 1.3;
       for (const std::size_t k : line.runs) {
-        if (fate(k) == RunFate::wrong) add(wrong, work(k), error(k));
+        if (fate(k) == RunFate::wrong) add_point(wrong, work(k), error(k));
         if (fate(k) == RunFate::failed)
-          add(failed, std::clamp(work(k), x_range_[0] * 1.1, x_range_[1] / 1.1), top_);
+          add_point(failed, std::clamp(work(k), x_range_[0] * 1.1, x_range_[1] / 1.1), top_);
       }
       any_wrong = any_wrong || !wrong.x.empty();
       any_failed = any_failed || !failed.x.empty();
@@ -277,10 +265,10 @@ Figure order_figure(const WorkPrecision& study) {
       const WorkPrecisionRun& run = study.runs[k];
       if (fate_of(study, run, StudyQuestion::time) == RunFate::failed) continue;
       const double step = mean_step(study, run);
-      add(series, step, run.time_error.tip_max);
+      add_point(series, step, run.time_error.tip_max);
       if (curve.observed.order >= 0 && step <= curve.observed.largest_step * (1 + 1e-9) &&
           step >= curve.observed.smallest_step * (1 - 1e-9))
-        add(part, step, run.time_error.tip_max);
+        add_point(part, step, run.time_error.tip_max);
     }
     if (curve.observed.order >= 0)
       seen += fmt::format("{} {} {} (stated: {})", seen.empty() ? "" : ";", line.label, order_in_words(curve),
@@ -320,13 +308,13 @@ Figure mesh_figure(const MeshConvergence& mesh) {
   distance.marker = Marker::circle;
   distance.open_marker = false;
   for (std::size_t k = 0; k + 1 < mesh.elements.size() && k < mesh.distance.size(); ++k)
-    add(distance, mesh.elements[k], mesh.distance[k]);
+    add_point(distance, mesh.elements[k], mesh.distance[k]);
   Series change;
   change.label = "to the next finer mesh";
   change.marker = Marker::square;
   change.dash = Dash::dashed;
   for (std::size_t k = 0; k < mesh.change.size() && k < mesh.elements.size(); ++k)
-    add(change, mesh.elements[k], mesh.change[k]);
+    add_point(change, mesh.elements[k], mesh.change[k]);
   panel.series = {std::move(distance), std::move(change)};
   std::string text = fmt::format(
       "Plot on logarithmic axes of how far the tip is from that of finer meshes, against the number of "
@@ -341,7 +329,7 @@ Figure mesh_figure(const MeshConvergence& mesh) {
     point.line_width = 0;
     point.marker = marker;
     point.marker_size = 1.4;
-    add(point, finest, value);
+    add_point(point, finest, value);
     panel.series.push_back(std::move(point));
     text += fmt::format(" {} for the finest: {:.3g} m.", label, value);
   };

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "render/plot/plot.h"
+
+namespace plumb {
+
+/// A logarithmic axis; without a range it takes that of its data.
+inline Axis log_axis(const std::string& label, std::optional<std::array<double, 2>> range = {}) {
+  Axis axis;
+  axis.label = label;
+  axis.range = range;
+  axis.scale = Scale::logarithmic;
+  return axis;
+}
+
+inline void add_point(Series& series, double x, double y) {
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
+}  // namespace plumb
