@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/interrupt.h"
 #include "engine/integrate/advice.h"
@@ -29,23 +30,55 @@ constexpr long steps_between_looks = 64;
 /// are long, as on fine meshes, sixteen of them would go far beyond the time allowed.
 constexpr long work_between_clocks = 20000;
 
-void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
-  trajectory.times.push_back(t);
-  trajectory.q.push_back(state.q);
-  trajectory.v.push_back(state.v);
-  cable.set_output_slopes(trajectory.q.back(), trajectory.v.back());
-  trajectory.energies.push_back(cable.energies(state.q, state.v));
+State in_units(const State& start, const OwnUnits& units) {
+  State result = start;
+  result.t /= units.time;
+  scale_nodal(1 / units.length, 1, result.q);
+  scale_nodal(units.time / units.length, units.time, result.v);
+  return result;
 }
 
-/// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
-void record_constraints(const Cable& cable, const Method& method, double t, Eigen::VectorXd& lambda,
-                        Trajectory& trajectory) {
-  method.constraint_forces(t, lambda);
-  if (lambda.size() == 0) return;
-  trajectory.multipliers.push_back(lambda);
-  const SupportConstraints constraints(cable.supports().spec(), cable.supports().direction(), cable.nodes());
-  const Eigen::VectorXd moved = trajectory.q.back() - trajectory.q.front();
-  trajectory.constraint_drift = std::max(trajectory.constraint_drift, constraints.apply(moved).norm());
+/// Writes outputs down, in m, s and kg again.
+class Recorder {
+ public:
+  Recorder(const Cable& cable, const OwnUnits& units, Trajectory& trajectory)
+      : cable_(cable), units_(units), trajectory_(trajectory) {}
+
+  /// `state` at the output time t (s), of the last step of `method`, in its own units.
+  void record(double t, const State& state, const Method& method) {
+    trajectory_.times.push_back(t);
+    Eigen::VectorXd& q = trajectory_.q.emplace_back(state.q);
+    Eigen::VectorXd& v = trajectory_.v.emplace_back(state.v);
+    scale_nodal(units_.length, 1, q);
+    scale_nodal(units_.length / units_.time, 1 / units_.time, v);
+    trajectory_.energies.push_back(cable_.energies(q, v));
+    cable_.set_output_slopes(q, v);
+    record_constraints(state.t, method);
+  }
+
+ private:
+  /// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
+  void record_constraints(double t, const Method& method) {
+    method.constraint_forces(t, lambda_);
+    if (lambda_.size() == 0) return;
+    const SupportConstraints constraints(cable_.supports().spec(), cable_.supports().direction(),
+                                         cable_.nodes());
+    constraints.scale(units_.force(), units_.moment(), lambda_);
+    trajectory_.multipliers.push_back(lambda_);
+    Eigen::VectorXd moved = trajectory_.q.back() - trajectory_.q.front();
+    scale_nodal(1, cable_.length(), moved);
+    trajectory_.constraint_drift = std::max(trajectory_.constraint_drift, constraints.apply(moved).norm());
+  }
+
+  const Cable& cable_;
+  const OwnUnits& units_;
+  Trajectory& trajectory_;
+  Eigen::VectorXd lambda_;
+};
+
+/// RunTimes::own of a cable with that energy (J).
+double own_time(const Cable& cable, double energy) {
+  return 2 * std::numbers::pi * cable.length() * std::sqrt(cable.total_mass() / (2 * energy));
 }
 
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {
@@ -79,26 +112,32 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   result.elements = cable.elements();
   result.element_length = cable.element().length();
 
-  Dynamics dynamics(cable);
+  const OwnUnits units = OwnUnits::of(cable.length(), time.end, cable.total_mass());
+  const Cable own_cable = cable.in_units(units);
+  const State own_start = in_units(start, units);
+  MethodSpec own_method = method;
+  if (own_method.step) *own_method.step /= units.time;
+  const double end = time.end / units.time;
+
   const MethodInfo* info = find_method(method.name);
-  const Monitor monitor(cable, start, info == nullptr || info->dynamic);
-  const std::vector<double> outputs = output_times(time);
-  const double near = same_time * time.output_interval;
-  State between = start;
-  Eigen::VectorXd lambda;
+  const Monitor monitor(own_cable, own_start, info == nullptr || info->dynamic);
+  Dynamics dynamics(own_cable, {own_time(own_cable, monitor.energies_at_hand()), end});
+  const std::vector<double> output_seconds = output_times(time);
+  std::vector<double> outputs = output_seconds;
+  for (double& t : outputs) t /= units.time;
+  const double near = same_time * (time.output_interval / units.time);
+  State between = own_start;
+  Recorder recorder(cable, units, result);
 
   const double processor_started = processor_seconds();
   const auto started = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
-  const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
-  StepResult last = monitor.check(start);
+  const std::unique_ptr<Method> integrator = make_method(own_method, dynamics, own_start);
+  StepResult last = monitor.check(own_start);
   // A start that is not even finite has nothing to show.
-  if (last.outcome != Outcome::diverged) {
-    record(cable, start.t, start, result);
-    record_constraints(cable, *integrator, start.t, lambda, result);
-  }
+  if (last.outcome != Outcome::diverged) recorder.record(start.t, own_start, *integrator);
   std::size_t next = 1;
   long failed_step = 0;
   long rejected = 0;
@@ -106,12 +145,12 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   while (last.ok() && next < outputs.size()) {
     stop_if_interrupted();
     const double before = integrator->state().t;
-    last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : time.end);
+    last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : end);
     const State& now = integrator->state();
     if (!method.step) {
       if (const long tried = integrator->rejected_steps(); tried > rejected && now.t > before) {
         rejected = tried;
-        const double taken = now.t - before;
+        const double taken = (now.t - before) * units.time;
         result.shortest_cut = result.shortest_cut < 0 ? taken : std::min(result.shortest_cut, taken);
       }
     }
@@ -130,20 +169,18 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     }
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
       if (std::abs(outputs[next] - now.t) <= near) {
-        record(cable, outputs[next], now, result);
-        record_constraints(cable, *integrator, now.t, lambda, result);
+        recorder.record(output_seconds[next], now, *integrator);
       } else {
         integrator->interpolate(outputs[next], between);
         if (last = integrator->interpolated(); !last.ok()) {
           failed_step = dynamics.counters.steps;
           break;
         }
-        record(cable, outputs[next], between, result);
-        record_constraints(cable, *integrator, outputs[next], lambda, result);
+        recorder.record(output_seconds[next], between, *integrator);
         ++result.interpolated_outputs;
       }
     }
-    if (progress && dynamics.counters.steps % 256 == 0) progress(now.t);
+    if (progress && dynamics.counters.steps % 256 == 0) progress(now.t * units.time);
     const long work = (dynamics.counters.force_evaluations - evaluations_at_clock) * cable.elements();
     if (next < outputs.size() && (look || work > work_between_clocks)) {
       evaluations_at_clock = dynamics.counters.force_evaluations;
@@ -156,12 +193,12 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   }
   result.solve_seconds = elapsed();
   result.outcome = last.outcome;
+  result.end_time = integrator->state().t * units.time;
   if (!last.ok()) {
-    result.message = describe(last, method, integrator->state().t, failed_step);
+    result.message = describe(last, method, result.end_time, failed_step);
     if (const std::string help = advice(cable, start, result, method, last.outcome); !help.empty())
       result.message += "; what would help: " + help;
   }
-  result.end_time = integrator->state().t;
   result.counters = dynamics.counters;
   result.counters.rejected_steps = integrator->rejected_steps();
   return result;

@@ -78,8 +78,8 @@ StepResult Monitor::check(const State& state) const {
   if (!std::isfinite(energy)) return {Outcome::diverged, "the energy is not finite", -1};
   if (energy_bounded_ && energy - first_energy_ > energy_growth_limit * at_hand_)
     return {Outcome::unstable,
-            fmt::format("the energy grew by {:.3g} J, the bound is {:.3g} J, {:g} times what was at hand",
-                        energy - first_energy_, energy_growth_limit * at_hand_, energy_growth_limit),
+            fmt::format("the energy grew by {:.3g} times what was at hand, the bound is {:g} times",
+                        (energy - first_energy_) / at_hand_, energy_growth_limit),
             fastest_element(cable_, state.v)};
   return {};
 }

@@ -64,8 +64,8 @@ struct Trajectory {
   /// λ, the forces of the joints on the cable, N, and N m for held slopes (SupportConstraints); one an
   /// output, or none where the method does not carry the supports as constraints.
   std::vector<Eigen::VectorXd> multipliers;
-  /// Greatest |G (q − q₀)| over the outputs of such a method: m, a held slope counting as a length of 1 m. -1
-  /// for others.
+  /// Greatest |G (q − q₀)| over the outputs of such a method: m, a held slope counting as one of the cable's
+  /// length. -1 for others.
   double constraint_drift = -1;
   /// The shortest step that was taken after a longer one had been rejected, s. -1: none was.
   double shortest_cut = -1;

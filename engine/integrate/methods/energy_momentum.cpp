@@ -90,7 +90,7 @@ class EnergyMomentum : public OneStepMethod {
         return {};
       }
     }
-    return not_converged(correction, tolerance_);
+    return not_converged(correction, tolerance_, cable.length());
   }
 
   void estimate_error(double h, const State&, const State&, Eigen::VectorXd& e) override {

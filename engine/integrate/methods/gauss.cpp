@@ -188,7 +188,7 @@ class Gauss : public OneStepMethod {
       before = correction.metres;
     }
     factored_h_ = 0;
-    return not_converged(correction, tolerance_);
+    return not_converged(correction, tolerance_, cable.length());
   }
 
   /// Rᵢ = f(Qᵢ) − M Xᵢ; leaves the middle stage's Qᵢ in middle_.

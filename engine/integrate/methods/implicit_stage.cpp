@@ -40,7 +40,8 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
       best_kernels().add_up(cable.nodes(), terms.point().into(next_));
       has_factors_ = false;
       if (!next_.allFinite())
-        return not_converged({std::numeric_limits<double>::infinity(), correction.unsound}, tolerance_);
+        return not_converged({std::numeric_limits<double>::infinity(), correction.unsound}, tolerance_,
+                             cable.length());
       return {Outcome::singular, "the slope collapsed within Newton's iteration", correction.unsound};
     }
     if (correction.singular >= 0)
@@ -71,7 +72,8 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   has_factors_ = false;
   // What the last correction has changed.
   next_ = x - terms.from.factor * Eigen::Map<const Eigen::VectorXd>(terms.from.numbers, x.size());
-  return not_converged(correction_size(next_, position, cable.element().length()), tolerance_);
+  return not_converged(correction_size(next_, position, cable.element().length()), tolerance_,
+                       cable.length());
 }
 
 }  // namespace plumb

@@ -53,12 +53,13 @@ inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double scale, d
   return size;
 }
 
-/// The outcome of an iteration whose last correction was this, with `tolerance` in m.
-inline StepResult not_converged(const CorrectionSize& correction, double tolerance) {
+/// The outcome of an iteration whose last correction was this, with `tolerance` and the cable's length in m.
+inline StepResult not_converged(const CorrectionSize& correction, double tolerance, double length) {
   return {Outcome::no_convergence,
           fmt::format(
-              "Newton's iteration did not converge: its last correction was {:.3g} m, {:.3g} m is allowed",
-              correction.metres, tolerance),
+              "Newton's iteration did not converge: its last correction was {:.3g} of the cable's length, "
+              "{:.3g} is allowed",
+              correction.metres / length, tolerance / length),
           correction.element};
 }
 

@@ -74,9 +74,11 @@ StepResult OneStepMethod::controlled_step(double stop) {
     dynamics_.take_collapsed();
     if (h_ <= shortest_share * stop) {
       if (!result.ok()) return result;
-      return {Outcome::no_convergence,
-              fmt::format("the error is {:.3g} times what is allowed even with a step of {:.3g} s", size, h),
-              -1};
+      return {
+          Outcome::no_convergence,
+          fmt::format("the error is {:.3g} times what is allowed even with a step of {:.3g} of the time left",
+                      size, h / left),
+          -1};
     }
   }
 }

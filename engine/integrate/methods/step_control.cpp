@@ -15,7 +15,7 @@ constexpr double least_size = 1e-4;
 }  // namespace
 
 StepControl::StepControl(double rtol, double atol, double length, int order)
-    : position_scale_(rtol * length + atol), slope_scale_(rtol + atol), exponent_(1.0 / (order + 1)) {}
+    : position_scale_((rtol + atol) * length), slope_scale_(rtol + atol), exponent_(1.0 / (order + 1)) {}
 
 double StepControl::size(const Eigen::VectorXd& error) const {
   double greatest = 0;

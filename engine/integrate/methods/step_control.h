@@ -8,8 +8,8 @@ namespace plumb {
 /// control (Gustafsson 1991; Hairer and Wanner 1996, section IV.2).
 class StepControl {
  public:
-  /// An error in position is held against rtol L + atol, one in a slope against rtol + atol: fixed scales, so
-  /// that a coordinate that passes through 0 costs no steps. `order` of the method; L in m.
+  /// An error in position is held against (rtol + atol) L, one in a slope against rtol + atol: fixed scales,
+  /// so that a coordinate that passes through 0 costs no steps. `order` of the method; L in m.
   StepControl(double rtol, double atol, double length, int order);
 
   /// Size of an error in q against the tolerances; 1 is just allowed.
