@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/interrupt.h"
 #include "engine/integrate/advice.h"
 #include "engine/integrate/monitor.h"
 #include "engine/integrate/processor_time.h"
+#include "engine/integrate/symmetric_motion.h"
 #include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
 
@@ -76,38 +76,14 @@ class Recorder {
   Eigen::VectorXd lambda_;
 };
 
-/// RunTimes::own of a cable with that energy (J).
-double own_time(const Cable& cable, double energy) {
-  return 2 * std::numbers::pi * cable.length() * std::sqrt(cable.total_mass() / (2 * energy));
-}
-
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {
   return fmt::format("{} ended at t = {:.6g} s in step {}{}: {}", method.name, t, step,
                      result.element >= 0 ? fmt::format(", element {}", result.element + 1) : "",
                      result.reason);
 }
 
-}  // namespace
-
-std::vector<double> output_times(const TimeSpec& time) {
-  std::vector<double> times;
-  const auto whole = static_cast<long>(std::floor(time.end / time.output_interval + same_time));
-  for (long k = 0; k <= whole; ++k) times.push_back(static_cast<double>(k) * time.output_interval);
-  if (time.end - times.back() > same_time * time.output_interval)
-    times.push_back(time.end);
-  else
-    times.back() = time.end;
-  return times;
-}
-
-Trajectory integrate(const Case& spec, const Progress& progress, double time_limit) {
-  const Cable cable(spec);
-  const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
-  return integrate(cable, start, spec.method, spec.time, progress, time_limit);
-}
-
-Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
-                     const Progress& progress, double time_limit) {
+Trajectory run(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
+               const Progress& progress, double time_limit) {
   Trajectory result;
   result.elements = cable.elements();
   result.element_length = cable.element().length();
@@ -121,7 +97,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
 
   const MethodInfo* info = find_method(method.name);
   const Monitor monitor(own_cable, own_start, info == nullptr || info->dynamic);
-  Dynamics dynamics(own_cable, {own_time(own_cable, monitor.energies_at_hand()), end});
+  Dynamics dynamics(own_cable, {monitor.own_time(), end});
   const std::vector<double> output_seconds = output_times(time);
   std::vector<double> outputs = output_seconds;
   for (double& t : outputs) t /= units.time;
@@ -196,11 +172,75 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   result.end_time = integrator->state().t * units.time;
   if (!last.ok()) {
     result.message = describe(last, method, result.end_time, failed_step);
-    if (const std::string help = advice(cable, start, result, method, last.outcome); !help.empty())
-      result.message += "; what would help: " + help;
   }
   result.counters = dynamics.counters;
   result.counters.rejected_steps = integrator->rejected_steps();
+  return result;
+}
+
+/// Runs what is to be advised after `failed`, all of it in no more than some multiple of the time that that
+/// took.
+class Attempts {
+ public:
+  Attempts(const Cable& cable, const State& start, const TimeSpec& time, const Trajectory& failed)
+      : cable_(cable),
+        start_(start),
+        time_(time),
+        failed_(failed),
+        over_(processor_seconds() + std::clamp(times_as_long * failed.solve_seconds, shortest, longest)) {}
+
+  /// An Attempt.
+  std::string operator()(const MethodSpec& method) const {
+    const double left = over_ - processor_seconds();
+    if (left <= 0) return "";
+    const Trajectory trial = run(cable_, start_, method, time_, {}, left);
+    if (trial.outcome == Outcome::completed) return "to the end";
+    return trial.outcome == Outcome::out_of_time && trial.end_time > beyond * failed_.end_time
+               ? fmt::format("to {:.3g} s", trial.end_time)
+               : "";
+  }
+
+ private:
+  static constexpr double times_as_long = 20, shortest = 1, longest = 20;  // s
+  static constexpr double beyond = 1.25;  // of the time at which the run failed
+
+  const Cable& cable_;
+  const State& start_;
+  const TimeSpec& time_;
+  const Trajectory& failed_;
+  double over_;  // s of the processor
+};
+
+}  // namespace
+
+std::vector<double> output_times(const TimeSpec& time) {
+  std::vector<double> times;
+  const auto whole = static_cast<long>(std::floor(time.end / time.output_interval + same_time));
+  for (long k = 0; k <= whole; ++k) times.push_back(static_cast<double>(k) * time.output_interval);
+  if (time.end - times.back() > same_time * time.output_interval)
+    times.push_back(time.end);
+  else
+    times.back() = time.end;
+  return times;
+}
+
+Trajectory integrate(const Case& spec, const Progress& progress, double time_limit) {
+  const Cable cable(spec);
+  const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
+  return integrate(cable, start, spec.method, spec.time, progress, time_limit);
+}
+
+Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
+                     const Progress& progress, double time_limit) {
+  Trajectory result = run(cable, start, method, time, progress, time_limit);
+  const MethodInfo* info = find_method(method.name);
+  if (info != nullptr && info->dynamic) result.unstable_since = unstable_since(cable, result);
+  if (result.outcome == Outcome::completed) return result;
+  // A run whose time is limited is one of many, and has none for others.
+  const Attempt attempt =
+      time_limit == no_time_limit ? Attempt(Attempts(cable, start, time, result)) : Attempt();
+  if (const std::string help = advice(cable, start, result, method, result.outcome, attempt); !help.empty())
+    result.message += "; what would help: " + help;
   return result;
 }
 

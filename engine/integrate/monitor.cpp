@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "engine/model/cable.h"
@@ -60,6 +61,10 @@ Monitor::Monitor(const Cable& cable, const State& start, bool energy_bounded)
   // A cable that is at rest without load has no energy at hand; round-off must not count as growth.
   const double round_off = 1e-12 * cable.element().axial_stiffness() * cable.length();
   at_hand_ = first.kinetic + first.axial + first.bending + cable.loads().size() * cable.length() + round_off;
+}
+
+double Monitor::own_time() const {
+  return 2 * std::numbers::pi * cable_.length() * std::sqrt(cable_.total_mass() / (2 * at_hand_));
 }
 
 StepResult Monitor::check(const State& state) const {

@@ -69,11 +69,16 @@ struct Trajectory {
   double constraint_drift = -1;
   /// The shortest step that was taken after a longer one had been rejected, s. -1: none was.
   double shortest_cut = -1;
+  /// The earliest output at which the cable has kept to its straight line and would leave it at the least
+  /// disturbance, s. -1: there is none.
+  double unstable_since = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
 
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone
 
+  /// What must be known of the motion beside its outcome: "unstable start: …"; empty: nothing.
+  std::string remark() const;
   /// Greatest |E(t) − E(0)| over the outputs, J.
   double energy_drift() const;
   /// What the drift is held against: the first kinetic energy, or the greatest for a start from rest, J.

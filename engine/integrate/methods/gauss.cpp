@@ -176,9 +176,8 @@ class Gauss : public OneStepMethod {
         if (!std::isfinite(own.metres)) break;
       }
       if (!std::isfinite(correction.metres)) break;
-      if (correction.metres <= tolerance_) return {};
       const double rate = before > 0 ? correction.metres / before : 1;
-      if (before > 0 && rate < 1 && correction.metres * rate / (1 - rate) <= tolerance_) return {};
+      if (left_after(correction.metres, before, renew) <= tolerance_) return {};
       renew = old && before > 0 && rate > slow_stages;
       if (old && before > 0 && rate > stages_astray) {
         x_ = guess_;
