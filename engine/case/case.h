@@ -174,7 +174,7 @@ struct MethodSpec {
   std::string name;
   std::optional<double> step;                ///< h, s, > 0; fixed-step methods
   std::optional<double> rtol;                ///< relative tolerance, in (0, 1); error-controlled methods
-  std::optional<double> atol;                ///< absolute tolerance (m, m/s, 1, 1/s alike), > 0
+  std::optional<double> atol;                ///< absolute tolerance of L, L/T, 1 and 1/T, > 0
   std::map<std::string, double> parameters;  ///< the method's own, all set: given ones and defaults
 
   friend bool operator==(const MethodSpec&, const MethodSpec&) = default;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "engine/case/case.h"
 #include "engine/integrate/linear_stability.h"
@@ -49,11 +50,13 @@ bool keeps_every_vibration(const MethodSpec& method) {
 
 class Adviser {
  public:
-  Adviser(const Cable& cable, const State& start, const Trajectory& run, const MethodSpec& method)
+  Adviser(const Cable& cable, const State& start, const Trajectory& run, const MethodSpec& method,
+          const Attempt& attempt)
       : cable_(cable),
         start_(start),
         run_(run),
         method_(method),
+        attempt_(attempt),
         info_(*find_method(method.name)),
         limit_(stability_limit(method)) {}
 
@@ -64,6 +67,7 @@ class Adviser {
              "a smaller load";
     if (!info_.dynamic && outcome >= Outcome::unstable && outcome != Outcome::out_of_time)
       return "a smaller load, more elements, or smaller steps of the load";
+    if (attempt_ && outcome >= Outcome::unstable && outcome <= Outcome::singular) return tried(outcome);
     switch (outcome) {
       case Outcome::unstable:
       case Outcome::diverged:
@@ -85,6 +89,91 @@ class Adviser {
   }
 
  private:
+  struct Candidate {
+    std::string words;
+    MethodSpec method;
+  };
+
+  /// The first candidate that runs; where none does, what was tried.
+  std::string tried(Outcome outcome) const {
+    std::string names;
+    for (const Candidate& candidate : candidates(outcome)) {
+      if (const std::string reached = attempt_(candidate.method); !reached.empty())
+        return fmt::format("{} (tried {}){}", candidate.words, reached,
+                           grows_beyond_a_step() ? ", or an implicit method" : "");
+      names += (names.empty() ? "" : ", ") + candidate.words;
+    }
+    return fmt::format("{}; what was tried and did not: {}",
+                       outcome == Outcome::singular ? "more elements, or less compression"
+                                                    : "more elements, or another method",
+                       names);
+  }
+
+  std::vector<Candidate> candidates(Outcome outcome) const {
+    std::vector<Candidate> result;
+    for (const MethodParameter& parameter : info_.parameters)
+      if (parameter.name == "newton_iterations" &&
+          method_.parameters.at(parameter.name) < parameter.fallback) {
+        result.push_back(
+            {fmt::format("newton_iterations of {:g} as by default", parameter.fallback), method_});
+        result.back().method.parameters[parameter.name] = parameter.fallback;
+      }
+    if (method_.step)
+      add_steps(result);
+    else
+      add_tolerances(outcome, result);
+    add_methods(result);
+    return result;
+  }
+
+  void add_steps(std::vector<Candidate>& result) const {
+    constexpr int most_halvings = 7;
+    // A step below the one that is named must serve, and not it itself.
+    constexpr double below = 0.95;
+    double step = 0.5 * *method_.step;
+    if (grows_beyond_a_step())
+      if (const double longest = longest_step(); longest < *method_.step) step = longest;
+    for (int halvings = 0; halvings < most_halvings; ++halvings, step *= 0.5) {
+      result.push_back({"a step below " + seconds_below(step), method_});
+      *result.back().method.step = below * step;
+    }
+  }
+
+  void add_tolerances(Outcome outcome, std::vector<Candidate>& result) const {
+    constexpr double loosest = 1e-2, tightest = 1e-12;
+    const auto add = [&](double factor) {
+      for (double rtol = *method_.rtol * factor; rtol <= loosest && rtol >= tightest; rtol *= factor) {
+        result.push_back({fmt::format("rtol = {:.1g}", rtol), method_});
+        // As it is written.
+        result.back().method.rtol = result.back().method.atol = std::stod(fmt::format("{:.1g}", rtol));
+      }
+    };
+    const double first = outcome == Outcome::no_convergence ? 10 : 0.1;
+    add(first);
+    add(1 / first);
+  }
+
+  /// Others, with the same step or tolerances of their own.
+  void add_methods(std::vector<Candidate>& result) const {
+    const auto add = [&](const MethodInfo& other, bool by_step) {
+      if (other.name == method_.name) return;
+      MethodSpec with = plain_method(other);
+      if (by_step)
+        with.step = method_.step;
+      else
+        with.rtol = with.atol = other.rtol;
+      result.push_back({other.name + (by_step ? fmt::format(" with a step of {:g} s", *with.step)
+                                              : fmt::format(" with rtol = {:g}", *with.rtol)),
+                        with});
+    };
+    if (method_.step) {
+      add(energy_keeping(), true);
+      add(usual_implicit(), true);
+    }
+    add(accurate_explicit(), false);
+    add(usual_implicit(), false);
+  }
+
   bool grows_beyond_a_step() const { return method_.step && limit_ && *limit_ > 0 && std::isfinite(*limit_); }
 
   /// s; infinite where nothing vibrates.
@@ -149,6 +238,7 @@ class Adviser {
   const State& start_;
   const Trajectory& run_;
   const MethodSpec& method_;
+  const Attempt& attempt_;
   const MethodInfo& info_;
   std::optional<double> limit_;
 };
@@ -156,8 +246,8 @@ class Adviser {
 }  // namespace
 
 std::string advice(const Cable& cable, const State& start, const Trajectory& run, const MethodSpec& method,
-                   Outcome outcome) {
-  return Adviser(cable, start, run, method).on(outcome);
+                   Outcome outcome, const Attempt& attempt) {
+  return Adviser(cable, start, run, method, attempt).on(outcome);
 }
 
 }  // namespace plumb

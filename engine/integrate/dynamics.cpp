@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-Dynamics::Dynamics(const Cable& cable)
+Dynamics::Dynamics(const Cable& cable, const RunTimes& times)
     : counters{.steps = 0,
                .rejected_steps = 0,
                .force_evaluations = 0,
@@ -16,6 +16,7 @@ Dynamics::Dynamics(const Cable& cable)
                .factorizations = 0,
                .newton_iterations = 0},
       cable_(cable),
+      times_(times),
       scratch_(cable.size()) {}
 
 int Dynamics::size() const {

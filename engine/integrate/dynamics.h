@@ -12,10 +12,20 @@ namespace plumb {
 
 class Cable;
 
+/// Times of a run that tolerances are held against.
+struct RunTimes {
+  /// T, s: 2πL/V, with V the speed that all the energy at hand would give to all of the cable. Rates count by
+  /// L/T and 1/T.
+  double own = 1;
+  double duration = 1;  ///< s
+};
+
 /// What a method asks of a cable during one run, with the count of what it asked. Not shared between threads.
 class Dynamics {
  public:
-  explicit Dynamics(const Cable& cable);
+  explicit Dynamics(const Cable& cable, const RunTimes& times = {});
+
+  const RunTimes& times() const { return times_; }
 
   const Cable& cable() const { return cable_; }
   int size() const;
@@ -63,6 +73,7 @@ class Dynamics {
   double* factors();
 
   const Cable& cable_;
+  RunTimes times_;
   Eigen::VectorXd scratch_, point_, inertia_;
   HugeArray factors_;                       // none before the first are made
   std::optional<BlockTridiagonal> system_;  // S itself, where it is wanted in full

@@ -10,6 +10,7 @@
 #include "engine/integrate/advice.h"
 #include "engine/integrate/monitor.h"
 #include "engine/integrate/processor_time.h"
+#include "engine/integrate/symmetric_motion.h"
 #include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
 
@@ -29,30 +30,204 @@ constexpr long steps_between_looks = 64;
 /// are long, as on fine meshes, sixteen of them would go far beyond the time allowed.
 constexpr long work_between_clocks = 20000;
 
-void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
-  trajectory.times.push_back(t);
-  trajectory.q.push_back(state.q);
-  trajectory.v.push_back(state.v);
-  cable.set_output_slopes(trajectory.q.back(), trajectory.v.back());
-  trajectory.energies.push_back(cable.energies(state.q, state.v));
+State in_units(const State& start, const OwnUnits& units) {
+  State result = start;
+  result.t /= units.time;
+  scale_nodal(1 / units.length, 1, result.q);
+  scale_nodal(units.time / units.length, units.time, result.v);
+  return result;
 }
 
-/// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
-void record_constraints(const Cable& cable, const Method& method, double t, Eigen::VectorXd& lambda,
-                        Trajectory& trajectory) {
-  method.constraint_forces(t, lambda);
-  if (lambda.size() == 0) return;
-  trajectory.multipliers.push_back(lambda);
-  const SupportConstraints constraints(cable.supports().spec(), cable.supports().direction(), cable.nodes());
-  const Eigen::VectorXd moved = trajectory.q.back() - trajectory.q.front();
-  trajectory.constraint_drift = std::max(trajectory.constraint_drift, constraints.apply(moved).norm());
-}
+/// Writes outputs down, in m, s and kg again.
+class Recorder {
+ public:
+  Recorder(const Cable& cable, const OwnUnits& units, Trajectory& trajectory)
+      : cable_(cable), units_(units), trajectory_(trajectory) {}
+
+  /// `state` at the output time t (s), of the last step of `method`, in its own units.
+  void record(double t, const State& state, const Method& method) {
+    record(t, state);
+    record_constraints(state.t, method);
+  }
+
+  /// The same of a state between the last two steps.
+  void record_between(double t, const State& state, const Method& method) {
+    record(t, state);
+    Energies& energies = trajectory_.energies.back();
+    const State end = in_si(method.state());
+    energies.interpolation = energies.total() - cable_.energies(end.q, end.v).total();
+    record_constraints(state.t, method);
+  }
+
+ private:
+  State in_si(State state) const {
+    scale_nodal(units_.length, 1, state.q);
+    scale_nodal(units_.length / units_.time, 1 / units_.time, state.v);
+    return state;
+  }
+
+  void record(double t, const State& own) {
+    State state = in_si(own);
+    trajectory_.energies.push_back(cable_.energies(state.q, state.v));
+    cable_.set_output_slopes(state.q, state.v);
+    trajectory_.times.push_back(t);
+    trajectory_.q.push_back(std::move(state.q));
+    trajectory_.v.push_back(std::move(state.v));
+  }
+
+  /// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
+  void record_constraints(double t, const Method& method) {
+    method.constraint_forces(t, lambda_);
+    if (lambda_.size() == 0) return;
+    const SupportConstraints constraints(cable_.supports().spec(), cable_.supports().direction(),
+                                         cable_.nodes());
+    constraints.scale(units_.force(), units_.moment(), lambda_);
+    trajectory_.multipliers.push_back(lambda_);
+    Eigen::VectorXd moved = trajectory_.q.back() - trajectory_.q.front();
+    scale_nodal(1, cable_.length(), moved);
+    trajectory_.constraint_drift = std::max(trajectory_.constraint_drift, constraints.apply(moved).norm());
+  }
+
+  const Cable& cable_;
+  const OwnUnits& units_;
+  Trajectory& trajectory_;
+  Eigen::VectorXd lambda_;
+};
 
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {
   return fmt::format("{} ended at t = {:.6g} s in step {}{}: {}", method.name, t, step,
                      result.element >= 0 ? fmt::format(", element {}", result.element + 1) : "",
                      result.reason);
 }
+
+Trajectory run(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
+               const Progress& progress, double time_limit) {
+  Trajectory result;
+  result.elements = cable.elements();
+  result.element_length = cable.element().length();
+
+  const OwnUnits units = OwnUnits::of(cable.length(), time.end, cable.total_mass());
+  const Cable own_cable = cable.in_units(units);
+  const State own_start = in_units(start, units);
+  MethodSpec own_method = method;
+  if (own_method.step) *own_method.step /= units.time;
+  const double end = time.end / units.time;
+
+  const MethodInfo* info = find_method(method.name);
+  const Monitor monitor(own_cable, own_start, info == nullptr || info->dynamic);
+  Dynamics dynamics(own_cable, {monitor.own_time(), end});
+  const std::vector<double> output_seconds = output_times(time);
+  std::vector<double> outputs = output_seconds;
+  for (double& t : outputs) t /= units.time;
+  const double near = same_time * (time.output_interval / units.time);
+  State between = own_start;
+  Recorder recorder(cable, units, result);
+
+  const double processor_started = processor_seconds();
+  const auto started = std::chrono::steady_clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  };
+  const std::unique_ptr<Method> integrator = make_method(own_method, dynamics, own_start);
+  StepResult last = monitor.check(own_start);
+  // A start that is not even finite has nothing to show.
+  if (last.outcome != Outcome::diverged) recorder.record(start.t, own_start, *integrator);
+  std::size_t next = 1;
+  long failed_step = 0;
+  long rejected = 0;
+  long evaluations_at_clock = 0;
+  while (last.ok() && next < outputs.size()) {
+    stop_if_interrupted();
+    const double before = integrator->state().t;
+    last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : end);
+    const State& now = integrator->state();
+    if (!method.step) {
+      if (const long tried = integrator->rejected_steps(); tried > rejected && now.t > before) {
+        rejected = tried;
+        const double taken = (now.t - before) * units.time;
+        result.shortest_cut = result.shortest_cut < 0 ? taken : std::min(result.shortest_cut, taken);
+      }
+    }
+    const bool look =
+        (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
+    if (last.ok()) {
+      const auto collapsed = dynamics.take_collapsed();
+      if (look || collapsed) last = monitor.check(now);
+      if (last.ok() && collapsed)
+        last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
+      if (last.ok()) ++dynamics.counters.steps;
+    }
+    if (!last.ok()) {
+      failed_step = dynamics.counters.steps + 1;
+      break;
+    }
+    for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
+      if (std::abs(outputs[next] - now.t) <= near) {
+        recorder.record(output_seconds[next], now, *integrator);
+      } else {
+        integrator->interpolate(outputs[next], between);
+        if (last = integrator->interpolated(); !last.ok()) {
+          failed_step = dynamics.counters.steps;
+          break;
+        }
+        recorder.record_between(output_seconds[next], between, *integrator);
+        ++result.interpolated_outputs;
+      }
+    }
+    if (progress && dynamics.counters.steps % 256 == 0) progress(now.t * units.time);
+    const long work = (dynamics.counters.force_evaluations - evaluations_at_clock) * cable.elements();
+    if (next < outputs.size() && (look || work > work_between_clocks)) {
+      evaluations_at_clock = dynamics.counters.force_evaluations;
+      // The clock is cheaper to ask, and never behind.
+      if (elapsed() > time_limit && processor_seconds() - processor_started > time_limit) {
+        last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
+        failed_step = dynamics.counters.steps;
+      }
+    }
+  }
+  result.solve_seconds = elapsed();
+  result.outcome = last.outcome;
+  result.end_time = integrator->state().t * units.time;
+  if (!last.ok()) {
+    result.message = describe(last, method, result.end_time, failed_step);
+  }
+  result.counters = dynamics.counters;
+  result.counters.rejected_steps = integrator->rejected_steps();
+  return result;
+}
+
+/// Runs what is to be advised after `failed`, all of it in no more than some multiple of the time that that
+/// took.
+class Attempts {
+ public:
+  Attempts(const Cable& cable, const State& start, const TimeSpec& time, const Trajectory& failed)
+      : cable_(cable),
+        start_(start),
+        time_(time),
+        failed_(failed),
+        over_(processor_seconds() + std::clamp(times_as_long * failed.solve_seconds, shortest, longest)) {}
+
+  /// An Attempt.
+  std::string operator()(const MethodSpec& method) const {
+    const double left = over_ - processor_seconds();
+    if (left <= 0) return "";
+    const Trajectory trial = run(cable_, start_, method, time_, {}, left);
+    if (trial.outcome == Outcome::completed) return "to the end";
+    return trial.outcome == Outcome::out_of_time && trial.end_time > beyond * failed_.end_time
+               ? fmt::format("to {:.3g} s", trial.end_time)
+               : "";
+  }
+
+ private:
+  static constexpr double times_as_long = 20, shortest = 1, longest = 20;  // s
+  static constexpr double beyond = 1.25;  // of the time at which the run failed
+
+  const Cable& cable_;
+  const State& start_;
+  const TimeSpec& time_;
+  const Trajectory& failed_;
+  double over_;  // s of the processor
+};
 
 }  // namespace
 
@@ -75,97 +250,15 @@ Trajectory integrate(const Case& spec, const Progress& progress, double time_lim
 
 Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
                      const Progress& progress, double time_limit) {
-  Trajectory result;
-  result.elements = cable.elements();
-  result.element_length = cable.element().length();
-
-  Dynamics dynamics(cable);
+  Trajectory result = run(cable, start, method, time, progress, time_limit);
   const MethodInfo* info = find_method(method.name);
-  const Monitor monitor(cable, start, info == nullptr || info->dynamic);
-  const std::vector<double> outputs = output_times(time);
-  const double near = same_time * time.output_interval;
-  State between = start;
-  Eigen::VectorXd lambda;
-
-  const double processor_started = processor_seconds();
-  const auto started = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  };
-  const std::unique_ptr<Method> integrator = make_method(method, dynamics, start);
-  StepResult last = monitor.check(start);
-  // A start that is not even finite has nothing to show.
-  if (last.outcome != Outcome::diverged) {
-    record(cable, start.t, start, result);
-    record_constraints(cable, *integrator, start.t, lambda, result);
-  }
-  std::size_t next = 1;
-  long failed_step = 0;
-  long rejected = 0;
-  long evaluations_at_clock = 0;
-  while (last.ok() && next < outputs.size()) {
-    stop_if_interrupted();
-    const double before = integrator->state().t;
-    last = integrator->step(integrator->stops_at_outputs() ? outputs[next] : time.end);
-    const State& now = integrator->state();
-    if (!method.step) {
-      if (const long tried = integrator->rejected_steps(); tried > rejected && now.t > before) {
-        rejected = tried;
-        const double taken = now.t - before;
-        result.shortest_cut = result.shortest_cut < 0 ? taken : std::min(result.shortest_cut, taken);
-      }
-    }
-    const bool look =
-        (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
-    if (last.ok()) {
-      const auto collapsed = dynamics.take_collapsed();
-      if (look || collapsed) last = monitor.check(now);
-      if (last.ok() && collapsed)
-        last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
-      if (last.ok()) ++dynamics.counters.steps;
-    }
-    if (!last.ok()) {
-      failed_step = dynamics.counters.steps + 1;
-      break;
-    }
-    for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
-      if (std::abs(outputs[next] - now.t) <= near) {
-        record(cable, outputs[next], now, result);
-        record_constraints(cable, *integrator, now.t, lambda, result);
-      } else {
-        integrator->interpolate(outputs[next], between);
-        if (last = integrator->interpolated(); !last.ok()) {
-          failed_step = dynamics.counters.steps;
-          break;
-        }
-        record(cable, outputs[next], between, result);
-        Energies& energies = result.energies.back();
-        energies.interpolation = energies.total() - cable.energies(now.q, now.v).total();
-        record_constraints(cable, *integrator, outputs[next], lambda, result);
-        ++result.interpolated_outputs;
-      }
-    }
-    if (progress && dynamics.counters.steps % 256 == 0) progress(now.t);
-    const long work = (dynamics.counters.force_evaluations - evaluations_at_clock) * cable.elements();
-    if (next < outputs.size() && (look || work > work_between_clocks)) {
-      evaluations_at_clock = dynamics.counters.force_evaluations;
-      // The clock is cheaper to ask, and never behind.
-      if (elapsed() > time_limit && processor_seconds() - processor_started > time_limit) {
-        last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
-        failed_step = dynamics.counters.steps;
-      }
-    }
-  }
-  result.solve_seconds = elapsed();
-  result.outcome = last.outcome;
-  if (!last.ok()) {
-    result.message = describe(last, method, integrator->state().t, failed_step);
-    if (const std::string help = advice(cable, start, result, method, last.outcome); !help.empty())
-      result.message += "; what would help: " + help;
-  }
-  result.end_time = integrator->state().t;
-  result.counters = dynamics.counters;
-  result.counters.rejected_steps = integrator->rejected_steps();
+  if (info != nullptr && info->dynamic) result.unstable_since = unstable_since(cable, result);
+  if (result.outcome == Outcome::completed) return result;
+  // A run whose time is limited is one of many, and has none for others.
+  const Attempt attempt =
+      time_limit == no_time_limit ? Attempt(Attempts(cable, start, time, result)) : Attempt();
+  if (const std::string help = advice(cable, start, result, method, result.outcome, attempt); !help.empty())
+    result.message += "; what would help: " + help;
   return result;
 }
 

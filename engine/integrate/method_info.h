@@ -69,6 +69,7 @@ struct MethodInfo {
   /// tolerance makes the method choose its steps.
   bool takes_step = false;
   bool takes_tolerances = false;
+  double rtol = 1e-8;  ///< where the case gives none: what it can meet without much work
   std::vector<MethodParameter> parameters;
   /// Of an implicit Runge-Kutta method: down to it the order is reduced where steps are long against the
   /// fastest vibration (Hairer and Wanner 1996, section IV.15). 0: of another kind.
@@ -83,9 +84,6 @@ struct MethodInfo {
   /// nullptr: it has no such matrix.
   NewtonMatrix (*newton_matrix)(const MethodSpec&) = nullptr;
 };
-
-/// rtol where the case gives none.
-inline constexpr double default_rtol = 1e-8;
 
 /// The method with all its own parameters at their defaults, without step or tolerances.
 MethodSpec plain_method(const MethodInfo& info);

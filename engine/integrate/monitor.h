@@ -24,6 +24,7 @@ class Monitor {
   StepResult check(const State& state) const;
 
   double energies_at_hand() const { return at_hand_; }  ///< J
+  double own_time() const;                              ///< RunTimes::own, s
 
  private:
   const Cable& cable_;

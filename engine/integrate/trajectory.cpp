@@ -1,5 +1,7 @@
 #include "engine/integrate/trajectory.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,6 +51,15 @@ double worse(double a, double b) {
 }
 
 }  // namespace
+
+std::string Trajectory::remark() const {
+  if (unstable_since < 0) return "";
+  return fmt::format(
+      "unstable start: the motion depends on what the case does not state; the cable keeps to its straight "
+      "line only "
+      "as nothing disturbs it, and would leave it from {:.3g} s on",
+      unstable_since);
+}
 
 double Trajectory::energy_drift() const {
   double drift = 0;

@@ -64,16 +64,21 @@ struct Trajectory {
   /// λ, the forces of the joints on the cable, N, and N m for held slopes (SupportConstraints); one an
   /// output, or none where the method does not carry the supports as constraints.
   std::vector<Eigen::VectorXd> multipliers;
-  /// Greatest |G (q − q₀)| over the outputs of such a method: m, a held slope counting as a length of 1 m. -1
-  /// for others.
+  /// Greatest |G (q − q₀)| over the outputs of such a method: m, a held slope counting as one of the cable's
+  /// length. -1 for others.
   double constraint_drift = -1;
   /// The shortest step that was taken after a longer one had been rejected, s. -1: none was.
   double shortest_cut = -1;
+  /// The earliest output at which the cable has kept to its straight line and would leave it at the least
+  /// disturbance, s. -1: there is none.
+  double unstable_since = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
 
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone
 
+  /// What must be known of the motion beside its outcome: "unstable start: …"; empty: nothing.
+  std::string remark() const;
   /// Greatest |E(t) − E(0)| over the outputs, J.
   double energy_drift() const;
   /// What the drift is held against: the first kinetic energy, or the greatest for a start from rest, J.

@@ -1,5 +1,6 @@
 #include "engine/model/block_lu.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -11,6 +12,24 @@ constexpr double singular_ratio = 1e-14;
 
 Block6 full_diagonal(const BlockTridiagonal& symmetric, int node) {
   return symmetric.diagonal(node).selfadjointView<Eigen::Lower>();
+}
+
+/// A power of two by which rows and columns of slopes become about as large as those of positions.
+template <class Scalar>
+double slope_scale(const GeneralBlockTridiagonal<Scalar>& A) {
+  double positions = 0, slopes = 0;
+  for (const auto& block : A.diagonal) {
+    positions = std::max<double>(positions, block.diagonal().template head<3>().cwiseAbs().maxCoeff());
+    slopes = std::max<double>(slopes, block.diagonal().template tail<3>().cwiseAbs().maxCoeff());
+  }
+  const double ratio = std::sqrt(positions / slopes);
+  return std::isnormal(ratio) ? std::exp2(std::ilogb(ratio)) : 1;
+}
+
+template <class Block>
+void scale_slopes(double scale, Block& block) {
+  block.template rightCols<3>() *= scale;
+  block.template bottomRows<3>() *= scale;
 }
 
 }  // namespace
@@ -46,18 +65,24 @@ std::optional<int> BlockLu<Scalar>::factor(const GeneralBlockTridiagonal<Scalar>
   pivots_.resize(nodes);
   over_.resize(nodes - 1);
   below_ = A.below;
-  Block eliminated;
+  slope_scale_ = slope_scale(A);
+  for (Block& block : below_) scale_slopes(slope_scale_, block);
+  Block eliminated, above;
   for (std::size_t i = 0; i < nodes; ++i) {
     eliminated = A.diagonal[i];
+    scale_slopes(slope_scale_, eliminated);
+    const Eigen::Matrix<double, 1, 6> largest = eliminated.cwiseAbs().colwise().maxCoeff();
     if (i > 0) eliminated.noalias() -= below_[i - 1] * over_[i - 1];
     pivots_[i].compute(eliminated);
     const auto pivots = pivots_[i].matrixLU().diagonal();
     for (int k = 0; k < 6; ++k) {
-      const auto largest = A.diagonal[i].col(k).cwiseAbs().maxCoeff();
       const double pivot = std::abs(pivots[k]);
-      if (!std::isfinite(pivot) || !(pivot > singular_ratio * largest)) return static_cast<int>(i);
+      if (!std::isfinite(pivot) || !(pivot > singular_ratio * largest[k])) return static_cast<int>(i);
     }
-    if (i + 1 < nodes) over_[i] = pivots_[i].solve(A.above[i]);
+    if (i + 1 == nodes) break;
+    above = A.above[i];
+    scale_slopes(slope_scale_, above);
+    over_[i] = pivots_[i].solve(above);
   }
   return std::nullopt;
 }
@@ -68,10 +93,12 @@ void BlockLu<Scalar>::solve(Vector& x) const {
   const std::size_t nodes = pivots_.size();
   const auto part = [&](std::size_t i) { return x.template segment<6>(6 * static_cast<Eigen::Index>(i)); };
   for (std::size_t i = 0; i < nodes; ++i) {
+    part(i).template tail<3>() *= slope_scale_;
     if (i > 0) part(i).noalias() -= below_[i - 1] * Segment(part(i - 1));
     part(i) = pivots_[i].solve(Segment(part(i)));
   }
   for (std::size_t i = nodes - 1; i-- > 0;) part(i).noalias() -= over_[i] * Segment(part(i + 1));
+  for (std::size_t i = 0; i < nodes; ++i) part(i).template tail<3>() *= slope_scale_;
 }
 
 template struct GeneralBlockTridiagonal<double>;

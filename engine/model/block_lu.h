@@ -37,8 +37,10 @@ class BlockLu {
  public:
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// Factors A. Returns the first node whose pivot vanishes against its column or is not finite; nothing if
-  /// all is well. After a failure the factors must not be used.
+  /// Factors A, with rows and columns of slopes scaled to those of positions, so that neither the choice of
+  /// pivots nor what is judged to vanish depends on the unit of length. Returns the first node whose pivot
+  /// vanishes against its column or is not finite; nothing if all is well. After a failure the factors must
+  /// not be used.
   [[nodiscard]] std::optional<int> factor(const GeneralBlockTridiagonal<Scalar>& A);
 
   /// x := A⁻¹ x.
@@ -47,6 +49,7 @@ class BlockLu {
  private:
   using Block = Eigen::Matrix<Scalar, 6, 6>;
 
+  double slope_scale_ = 1;                          // of rows and columns
   std::vector<Eigen::PartialPivLU<Block>> pivots_;  // of the eliminated diagonal blocks D
   std::vector<Block> over_;                         // D⁻¹ · above
   std::vector<Block> below_;

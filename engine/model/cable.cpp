@@ -34,6 +34,23 @@ Cable::Cable(const Case& spec)
   loads_.on_nodes().add_to(external_force_.data());
 }
 
+Cable Cable::in_units(const OwnUnits& units) const {
+  Cable result(*this);
+  ElementConstants& c = result.constants_;
+  c.axial_stiffness /= units.force();
+  c.bending_stiffness /= units.moment() * units.length;
+  c.length /= units.length;
+  c.mass_per_length /= units.mass / units.length;
+  const double per_mass = units.force() / units.mass;
+  for (double& component : c.per_mass) component /= per_mass;
+  result.element_ = Element(c.axial_stiffness, c.bending_stiffness, c.length, element_.strain_model());
+  result.loads_ = loads_.in_units(units);
+  if (chain_) result.chain_.emplace(c);
+  result.mass_ = MassMatrix(c, elements_, supports_);
+  scale_nodal(1 / units.force(), 1 / units.moment(), result.external_force_);
+  return result;
+}
+
 Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
   Eigen::VectorXd q(size());
   for (int node = 0; node < nodes(); ++node) {

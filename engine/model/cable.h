@@ -11,6 +11,7 @@
 #include "engine/model/energies.h"
 #include "engine/model/load.h"
 #include "engine/model/mass.h"
+#include "engine/model/own_units.h"
 #include "engine/model/supports.h"
 
 namespace plumb {
@@ -30,10 +31,14 @@ class Cable {
  public:
   explicit Cable(const Case& spec);
 
+  /// The same cable with its numbers in those units instead of m, s and kg.
+  Cable in_units(const OwnUnits& units) const;
+
   int elements() const { return elements_; }
   int nodes() const { return elements_ + 1; }
   int size() const { return 6 * nodes(); }
   double length() const { return element_.length() * elements_; }
+  double total_mass() const { return constants_.mass_per_length * length(); }  ///< kg
 
   /// The links, where the cable is modelled as a chain; else nothing.
   const std::optional<Chain>& chain() const { return chain_; }

@@ -123,7 +123,9 @@ int place_of(const Eigen::VectorXd& shape, const Cable& cable) {
 
 }  // namespace
 
-FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q) {
+namespace {
+
+FastestVibration in_own_units(const Cable& cable, const Eigen::VectorXd& q) {
   // Lanczos's vectors held at a time. Where vibrations are few and alike the library seeks new directions at
   // random, for which there must be room.
   constexpr int vectors = 24;
@@ -157,6 +159,23 @@ FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q)
   result.frequency = std::sqrt(scaled * square);
   result.shape = solver.eigenvectors().col(0);
   result.element = place_of(result.shape, cable);
+  return result;
+}
+
+}  // namespace
+
+FastestVibration fastest_vibration(const Cable& cable, const Eigen::VectorXd& q) {
+  const ElementConstants& c = cable.constants();
+  // That of sound along the cable.
+  const double time = cable.length() * std::sqrt(c.mass_per_length / c.axial_stiffness);
+  const OwnUnits units = OwnUnits::of(cable.length(), std::isnormal(time) ? time : 1, cable.total_mass());
+  Eigen::VectorXd own_q = q;
+  scale_nodal(1 / units.length, 1, own_q);
+  FastestVibration result = in_own_units(cable.in_units(units), own_q);
+  result.frequency /= units.time;
+  // Modal masses are 1 in either.
+  const double root = std::sqrt(units.mass);
+  scale_nodal(1 / root, 1 / (root * units.length), result.shape);
   return result;
 }
 

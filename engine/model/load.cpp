@@ -42,4 +42,13 @@ LoadSum::LoadSum(const std::vector<Load>& loads) {
   }
 }
 
+LoadSum LoadSum::in_units(const OwnUnits& units) const {
+  LoadSum result(*this);
+  result.per_mass_ /= units.force() / units.mass;
+  result.size_ /= units.force();
+  for (NodeForce& on : result.on_nodes_)
+    for (int k = 0; k < 6; ++k) on.force[k] /= k < 3 ? units.force() : units.moment();
+  return result;
+}
+
 }  // namespace plumb

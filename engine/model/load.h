@@ -4,6 +4,7 @@
 
 #include "engine/case/case.h"
 #include "engine/kernels/kernels.h"
+#include "engine/model/own_units.h"
 
 namespace plumb {
 
@@ -22,6 +23,8 @@ std::vector<Load> loads_of(const Case& spec);
 class LoadSum {
  public:
   explicit LoadSum(const std::vector<Load>& loads);
+
+  LoadSum in_units(const OwnUnits& units) const;
 
   const Vec3& per_mass() const { return per_mass_; }
   NodeForces on_nodes() const { return {on_nodes_.data(), static_cast<int>(on_nodes_.size())}; }

@@ -35,6 +35,12 @@ class SupportConstraints {
       x.template segment<3>(rows_[i].at) += lambda[static_cast<Eigen::Index>(i)] * rows_[i].direction;
   }
 
+  /// Multiplies the multipliers of positions and of slopes each by its factor.
+  void scale(double positions, double slopes, Eigen::VectorXd& lambda) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      lambda[static_cast<Eigen::Index>(i)] *= rows_[i].at % 6 == 0 ? positions : slopes;
+  }
+
  private:
   static constexpr int most = 10;  // both ends held altogether
 

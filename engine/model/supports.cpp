@@ -1,5 +1,7 @@
 #include "engine/model/supports.h"
 
+#include <cmath>
+
 #include "engine/model/block_lu.h"
 #include "engine/model/block_tridiagonal.h"
 
@@ -22,18 +24,27 @@ void hold_numbers(const Hold& hold, const Vec3& direction, double* numbers) {
   slope = direction * direction.dot(slope);
 }
 
-/// A node's diagonal block becomes P D P + (I − P); of D the lower triangle counts.
+/// A positive number of the size of a diagonal of D, for what is held there: beside a 1, which is of no unit,
+/// the numbers of a small or a light cable are round-off.
+template <class Diagonal>
+double size_of(const Diagonal& diagonal) {
+  const double greatest = diagonal.cwiseAbs().maxCoeff();
+  return greatest > 0 && std::isfinite(greatest) ? greatest : 1;
+}
+
+/// A node's diagonal block becomes P D P + s (I − P); of D the lower triangle counts.
 void hold_diagonal(const Hold& hold, const Vec3& direction, BlockTridiagonal::Map D) {
   if (hold.position) {
+    const double size = size_of(D.diagonal().head<3>());
     D.leftCols<3>().setZero();
-    D.topLeftCorner<3, 3>().setIdentity();
+    D.topLeftCorner<3, 3>().diagonal().setConstant(size);
   }
   if (!hold.direction) return;
   const Eigen::Matrix3d along = direction * direction.transpose();
   if (!hold.position) D.bottomLeftCorner<3, 3>() = (along * D.bottomLeftCorner<3, 3>()).eval();
   const Eigen::Matrix3d slopes = D.bottomRightCorner<3, 3>().selfadjointView<Eigen::Lower>();
-  D.bottomRightCorner<3, 3>() =
-      direction.dot(slopes * direction) * along + Eigen::Matrix3d::Identity() - along;
+  D.bottomRightCorner<3, 3>() = direction.dot(slopes * direction) * along +
+                                size_of(slopes.diagonal()) * (Eigen::Matrix3d::Identity() - along);
 }
 
 }  // namespace
@@ -92,7 +103,9 @@ void SupportProjection::apply(BlockTridiagonal& A) const {
   hold_last(column(nodes_ - 2), column(nodes_ - 1));
   if (!slopes_held_) return;
   // Slopes are coupled to nothing.
-  for (int node = 0; node < nodes_; ++node) A.diagonal(node).bottomRightCorner<3, 3>().setIdentity();
+  for (int node = 0; node < nodes_; ++node)
+    A.diagonal(node).bottomRightCorner<3, 3>().setIdentity() *=
+        size_of(A.diagonal(node).diagonal().head<3>());
 }
 
 void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
@@ -100,7 +113,10 @@ void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
     if (hold.none()) return;
     const Block6 P = node_projection(hold, direction_);
     Block6& diagonal = A.diagonal[static_cast<std::size_t>(node)];
-    diagonal = (P * diagonal * P + Block6::Identity() - P).eval();
+    Block6 size = Block6::Zero();
+    size.diagonal().head<3>().setConstant(size_of(diagonal.diagonal().head<3>()));
+    size.diagonal().tail<3>().setConstant(size_of(diagonal.diagonal().tail<3>()));
+    diagonal = (P * diagonal * P + size * (Block6::Identity() - P)).eval();
     const std::size_t beside = static_cast<std::size_t>(node == 0 ? 0 : node - 1);
     Block6& rows = node == 0 ? A.above[beside] : A.below[beside];
     Block6& columns = node == 0 ? A.below[beside] : A.above[beside];
@@ -110,7 +126,8 @@ void SupportProjection::apply(GeneralBlockTridiagonal<double>& A) const {
   apply_at(first_, 0);
   apply_at(last_, nodes_ - 1);
   if (!slopes_held_) return;
-  for (Block6& diagonal : A.diagonal) diagonal.bottomRightCorner<3, 3>().setIdentity();
+  for (Block6& diagonal : A.diagonal)
+    diagonal.bottomRightCorner<3, 3>().setIdentity() *= size_of(diagonal.diagonal().head<3>());
 }
 
 }  // namespace plumb

@@ -32,7 +32,7 @@ class SupportProjection : public HeldEnds {
   /// x := P x, for rates, accelerations or forces.
   void apply(Eigen::VectorXd& x) const;
 
-  /// A := P A P + (I − P): held coordinates get the equation x = 0.
+  /// A := P A P + s (I − P) with some s > 0 of the size of A there: held coordinates get the equation x = 0.
   void apply(BlockTridiagonal& A) const;
   void apply(GeneralBlockTridiagonal<double>& A) const;
 

@@ -107,8 +107,8 @@ MethodSpec read_method(TableReader table, const TimeSpec& time) {
   if (info->takes_step && (has_step || !info->takes_tolerances))
     method.step = table.number("step", Range::positive("s"));
   if (info->takes_tolerances && !method.step) {
-    method.rtol = table.number("rtol", tolerance, default_rtol);
-    method.atol = table.number("atol", Range::positive("m, m/s, 1, 1/s alike"), *method.rtol);
+    method.rtol = table.number("rtol", tolerance, info->rtol);
+    method.atol = table.number("atol", Range::positive("of L, L/T, 1 and 1/T"), *method.rtol);
   }
   for (const MethodParameter& parameter : info->parameters) {
     Range range = Range::between(parameter.minimum, parameter.maximum, "");

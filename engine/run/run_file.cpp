@@ -37,6 +37,7 @@ const Field fields[] = {{"states/position", "m", &Trajectory::q, 0},
 
 constexpr const char* multipliers_path = "constraints/multipliers";
 constexpr const char* shortest_cut_path = "shortest_cut";
+constexpr const char* unstable_since_path = "unstable_since";
 constexpr const char* drift_path = "constraints/drift";
 
 void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
@@ -50,6 +51,7 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   file.number("end_time", trajectory.end_time, "s");
   file.number("solve_seconds", trajectory.solve_seconds, "s");
   file.number(shortest_cut_path, trajectory.shortest_cut, "s");
+  file.number(unstable_since_path, trajectory.unstable_since, "s");
   file.numbers("time", {outputs}, trajectory.times.data(), "s");
   std::vector<double> values;
   for (const Field& field : fields) {
@@ -93,8 +95,8 @@ void read_constraints(const hdf5::Reader& file, Trajectory& result) {
 void check(const Trajectory& trajectory) {
   const auto finite = [](const Eigen::VectorXd& x) { return x.allFinite(); };
   if (trajectory.outcome == Outcome::not_run) throw std::runtime_error("it holds no run");
-  if (!(trajectory.element_length > 0) ||
-      !std::isfinite(trajectory.element_length + trajectory.end_time + trajectory.shortest_cut))
+  if (!(trajectory.element_length > 0) || !std::isfinite(trajectory.element_length + trajectory.end_time +
+                                                         trajectory.shortest_cut + trajectory.unstable_since))
     throw std::runtime_error("its lengths and times are not those of a run");
   if (trajectory.times.empty() || trajectory.times.front() != 0)
     throw std::runtime_error("its times do not begin at 0");
@@ -124,8 +126,9 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
   result.element_length = file.number("element_length");
   result.end_time = file.number("end_time");
   result.solve_seconds = file.number("solve_seconds");
-  // Runs of older versions do not have it.
+  // Runs of older versions do not have them.
   if (file.has(shortest_cut_path)) result.shortest_cut = file.number(shortest_cut_path);
+  if (file.has(unstable_since_path)) result.unstable_since = file.number(unstable_since_path);
   result.times = file.numbers("time").values;
   const hsize_t outputs = result.times.size(), nodes = static_cast<hsize_t>(elements) + 1;
   for (const Field& field : fields) {

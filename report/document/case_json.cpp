@@ -18,6 +18,7 @@ Json solve_json(const Run& run) {
   const Trajectory& t = run.trajectory;
   Json json{{"outcome", word(t.outcome)},
             {"message", t.message},
+            {"remark", t.remark()},
             {"method", reports_given_run(run.loaded.spec) ? "given" : run.loaded.spec.method.name},
             {"elements", t.elements},
             {"end_time", t.end_time},

@@ -106,6 +106,8 @@ data cost_rows(const Document& document) {
                       "not known: computed by " + text_of(document, "reported"));
     return pair_rows(rows);
   }
+  if (const std::string remark = text_of(solve, "remark"); !remark.empty())
+    rows.emplace_back("remark", remark);
   rows.emplace_back("method", text_of(solve, "method"));
   rows.emplace_back("elements", count("elements"));
   rows.emplace_back("time reached", four_digits(solve.at("end_time")) + " s");

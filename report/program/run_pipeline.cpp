@@ -95,6 +95,7 @@ Run solve(const LoadedCase& loaded, Console& console) {
   if (const std::string cuts = step_cuts(trajectory.counters.rejected_steps, trajectory.shortest_cut);
       !cuts.empty())
     console.line("its step was " + cuts);
+  if (const std::string remark = trajectory.remark(); !remark.empty()) console.line(remark);
   if (trajectory.outcome != Outcome::completed)
     console.line(console.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
   return {loaded, std::move(trajectory), std::move(probes), provenance_now()};

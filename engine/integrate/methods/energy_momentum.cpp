@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -55,6 +56,7 @@ class EnergyMomentum : public OneStepMethod {
       cable.supports().apply(residual_);
       return {};
     };
+    const double tolerance = std::min(tolerance_, std::max(allowed_leftover(h), round_off * cable.length()));
     CorrectionSize correction;
     StepResult state = evaluate();
     if (!state.ok()) return state;
@@ -77,7 +79,7 @@ class EnergyMomentum : public OneStepMethod {
       double next = state.ok() ? residual_.norm() : size;
       // Where the whole way makes matters worse, a part of it is taken.
       for (int halvings = 0; halvings < most_halvings && !(state.ok() && next < 2 * size); ++halvings) {
-        if (correction.metres <= tolerance_) break;
+        if (correction.metres <= tolerance) break;
         change_ *= 0.5;
         x_ -= change_;
         state = evaluate();
@@ -85,12 +87,12 @@ class EnergyMomentum : public OneStepMethod {
       }
       if (!state.ok()) return state;
       size = next;
-      if (correction.metres <= tolerance_) {
+      if (correction.metres <= tolerance) {
         to.v = from.v + h * x_;
         return {};
       }
     }
-    return not_converged(correction, tolerance_);
+    return not_converged(correction, tolerance, cable.length());
   }
 
   void estimate_error(double h, const State&, const State&, Eigen::VectorXd& e) override {
@@ -105,6 +107,8 @@ class EnergyMomentum : public OneStepMethod {
   }
 
   static constexpr int most_halvings = 6;
+  /// Smaller corrections, as a share of the cable's length, are none.
+  static constexpr double round_off = 1e-16;
 
   double tolerance_;  // m
   int iterations_;

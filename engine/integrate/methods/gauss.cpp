@@ -176,9 +176,8 @@ class Gauss : public OneStepMethod {
         if (!std::isfinite(own.metres)) break;
       }
       if (!std::isfinite(correction.metres)) break;
-      if (correction.metres <= tolerance_) return {};
       const double rate = before > 0 ? correction.metres / before : 1;
-      if (before > 0 && rate < 1 && correction.metres * rate / (1 - rate) <= tolerance_) return {};
+      if (left_after(correction.metres, before, renew) <= tolerance_) return {};
       renew = old && before > 0 && rate > slow_stages;
       if (old && before > 0 && rate > stages_astray) {
         x_ = guess_;
@@ -188,7 +187,7 @@ class Gauss : public OneStepMethod {
       before = correction.metres;
     }
     factored_h_ = 0;
-    return not_converged(correction, tolerance_);
+    return not_converged(correction, tolerance_, cable.length());
   }
 
   /// Rᵢ = f(Qᵢ) − M Xᵢ; leaves the middle stage's Qᵢ in middle_.

@@ -14,6 +14,8 @@ namespace {
 constexpr double slow = 0.15;
 /// Contraction above which the old matrix leads astray, and the step begins anew.
 constexpr double astray = 1;
+/// Corrections of this share of the cable's length that do not get smaller are round-off.
+constexpr double round_off_share = 1e-14;
 
 }  // namespace
 
@@ -22,7 +24,8 @@ ImplicitStage::ImplicitStage(const MethodSpec& spec, Dynamics& dynamics)
       iterations_(static_cast<int>(spec.parameters.at("newton_iterations"))),
       dynamics_(dynamics) {}
 
-StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen::VectorXd& x) {
+StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen::VectorXd& x,
+                                double leftover) {
   const Cable& cable = dynamics_.cable();
   const double stiffness = stage.force * stage.reach;
   bool renew = !has_factors_ || factored_mass_ != stage.mass || factored_stiffness_ != stiffness;
@@ -31,6 +34,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   const auto metres = [&](const StageCorrection& correction) {
     return position * std::max(correction.position, cable.element().length() * correction.slope);
   };
+  const double allowed = std::min(tolerance_, leftover), round_off = round_off_share * cable.length();
   x.resize(dynamics_.size());
   double before = 0;  // size of the correction before this one
   for (int i = 0; i < iterations_; ++i) {
@@ -40,7 +44,8 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
       best_kernels().add_up(cable.nodes(), terms.point().into(next_));
       has_factors_ = false;
       if (!next_.allFinite())
-        return not_converged({std::numeric_limits<double>::infinity(), correction.unsound}, tolerance_);
+        return not_converged({std::numeric_limits<double>::infinity(), correction.unsound}, tolerance_,
+                             cable.length());
       return {Outcome::singular, "the slope collapsed within Newton's iteration", correction.unsound};
     }
     if (correction.singular >= 0)
@@ -55,9 +60,10 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
     }
     if (!correction.finite) break;
     const double size = metres(correction);
-    if (size <= tolerance_) return {};
+    if (size == 0) return {};
     const double rate = before > 0 ? size / before : 1;
-    if (before > 0 && rate < 1 && size * rate / (1 - rate) <= tolerance_) return {};
+    if (left_after(size, before, renew) <= allowed) return {};
+    if (before > 0 && rate > slow && size <= round_off) return {};
     renew = before > 0 && rate > slow;
     if (old && before > 0 && rate > astray && i + 1 < iterations_) {
       terms.from = stage.from;
@@ -71,7 +77,8 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   has_factors_ = false;
   // What the last correction has changed.
   next_ = x - terms.from.factor * Eigen::Map<const Eigen::VectorXd>(terms.from.numbers, x.size());
-  return not_converged(correction_size(next_, position, cable.element().length()), tolerance_);
+  return not_converged(correction_size(next_, position, cable.element().length()), tolerance_,
+                       cable.length());
 }
 
 }  // namespace plumb

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
-#include "engine/integrate/method.h"
+#include "engine/integrate/methods/newton.h"
 
 namespace plumb {
 
@@ -15,8 +16,10 @@ class ImplicitStage {
   ImplicitStage(const MethodSpec& spec, Dynamics& dynamics);
 
   /// Solves for x, from the estimate in `stage`, of which x may not be a part. `position`: how far q moves
-  /// with x, s², which sets the scale of a correction. After a failure x is of no meaning.
-  StepResult solve(const StageTerms& stage, double position, Eigen::VectorXd& x);
+  /// with x, s², which sets the scale of a correction. `leftover`: what may be left of an error in position
+  /// where that is less than newton_tolerance, m. After a failure x is of no meaning.
+  StepResult solve(const StageTerms& stage, double position, Eigen::VectorXd& x,
+                   double leftover = std::numeric_limits<double>::infinity());
 
  private:
   double tolerance_;  // m

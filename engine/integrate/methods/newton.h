@@ -53,12 +53,25 @@ inline CorrectionSize correction_size(const Eigen::VectorXd& dq, double scale, d
   return size;
 }
 
-/// The outcome of an iteration whose last correction was this, with `tolerance` in m.
-inline StepResult not_converged(const CorrectionSize& correction, double tolerance) {
+/// What a correction of that size, m, leaves of an error; infinite where corrections grow. `before`: size of
+/// the correction before it with the same matrix, 0 for the first. `fresh`: its matrix was made for it, and
+/// leaves far less. One that is kept may turn what is small in one coordinate into something larger in
+/// another, so that the contraction of the sizes promises too much.
+inline double left_after(double size, double before, bool fresh) {
+  constexpr double first_growth = 100, growth = 2;
+  if (fresh) return size;
+  if (before <= 0) return first_growth * size;
+  const double rate = size / before;
+  return rate < 1 ? size * std::max(growth, rate / (1 - rate)) : std::numeric_limits<double>::infinity();
+}
+
+/// The outcome of an iteration whose last correction was this, with `tolerance` and the cable's length in m.
+inline StepResult not_converged(const CorrectionSize& correction, double tolerance, double length) {
   return {Outcome::no_convergence,
           fmt::format(
-              "Newton's iteration did not converge: its last correction was {:.3g} m, {:.3g} m is allowed",
-              correction.metres, tolerance),
+              "Newton's iteration did not converge: its last correction was {:.3g} of the cable's length, "
+              "{:.3g} is allowed",
+              correction.metres / length, tolerance / length),
           correction.element};
 }
 

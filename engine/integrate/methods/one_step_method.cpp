@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -9,9 +10,43 @@
 #include "engine/model/cable.h"
 
 namespace plumb {
+namespace {
+
+/// Steps of a run, at most, where a method chooses them: a minute or so for a short cable.
+constexpr double most_steps = 1e7;
+
+}  // namespace
+
 OneStepMethod::OneStepMethod(const MethodSpec& spec, int order, Dynamics& dynamics, const State& start)
-    : steps_(spec.step.value_or(0)), dynamics_(dynamics), before_(start), now_(start) {
-  if (!spec.step) control_.emplace(spec.rtol.value(), spec.atol.value(), dynamics.cable().length(), order);
+    : tolerance_(spec.step ? 0 : spec.rtol.value() + spec.atol.value()),
+      steps_(spec.step.value_or(0)),
+      dynamics_(dynamics),
+      before_(start),
+      now_(start) {
+  constexpr int low_order = 2;
+  if (spec.step) return;
+  rtol_ = *spec.rtol;
+  control_.emplace(*spec.rtol, *spec.atol, dynamics.cable().length(), order,
+                   order <= low_order ? dynamics.times().duration : 0);
+}
+
+double OneStepMethod::allowed_leftover(double h) const {
+  constexpr double share = 0.1;
+  const double steps = dynamics_.times().duration / h;
+  return controlled() ? share * tolerance_ * dynamics_.cable().length() / (steps * steps)
+                      : std::numeric_limits<double>::infinity();
+}
+
+StepResult OneStepMethod::refusal() const {
+  const double steps = dynamics_.times().duration / h_;
+  constexpr double beginning = 0.1;  // of the run; what has come further may as well go on
+  if (!(steps > most_steps) || now_.t > beginning * dynamics_.times().duration) return {};
+  const double possible = rtol_ * control_->tolerance_ratio(steps / most_steps);
+  return {Outcome::no_convergence,
+          fmt::format(
+              "rtol = {:g} would take some {:.2g} steps, more than {:g}; from about {:.2g} on it would not",
+              rtol_, steps, most_steps, possible),
+          -1};
 }
 
 void OneStepMethod::estimate_error(double, const State&, const State&, Eigen::VectorXd&) {
@@ -53,15 +88,17 @@ StepResult OneStepMethod::controlled_step(double stop) {
     double size = 0;
     if (result.ok()) {
       estimate_error(h, now_, before_, error_);
-      size = control_->size(error_);
+      size = control_->size(error_, h);
       const double wished = control_->next(h, size);
       if (size <= 1) {
         // A step cut short by the stop says nothing about the next.
         if (h < h_) {
           h_ = std::max(h_, wished);
         } else {
+          const bool still_growing = wished > 2 * h_;
           control_->accept(size);
           h_ = wished;
+          if (StepResult refused = refusal(); !still_growing && !refused.ok()) return refused;
         }
         keep(ends ? stop : now_.t + h);
         return result;
@@ -74,9 +111,11 @@ StepResult OneStepMethod::controlled_step(double stop) {
     dynamics_.take_collapsed();
     if (h_ <= shortest_share * stop) {
       if (!result.ok()) return result;
-      return {Outcome::no_convergence,
-              fmt::format("the error is {:.3g} times what is allowed even with a step of {:.3g} s", size, h),
-              -1};
+      return {
+          Outcome::no_convergence,
+          fmt::format("the error is {:.3g} times what is allowed even with a step of {:.3g} of the time left",
+                      size, h / left),
+          -1};
     }
   }
 }

@@ -36,6 +36,9 @@ class OneStepMethod : public Method {
 
   Dynamics& dynamics() { return dynamics_; }
   bool controlled() const { return control_.has_value(); }
+  /// What an iteration within a step of h (s) may leave of an error in position, m, so that velocities that
+  /// are off by as much over h do not use up the tolerances; infinite with a fixed step.
+  double allowed_leftover(double h) const;
   /// The state before the last step.
   const State& before() const { return before_; }
 
@@ -44,6 +47,12 @@ class OneStepMethod : public Method {
   StepResult controlled_step(double stop);
   void keep(double t);
 
+  /// Whether steps have become so short that the run would take too many; says from which tolerance on it
+  /// would not.
+  StepResult refusal() const;
+
+  double tolerance_;  // rtol + atol; 0: a fixed step
+  double rtol_ = 0;
   FixedSteps steps_;
   std::optional<StepControl> control_;  // with tolerances
   double h_ = 0;                        // the controlled step, s; 0: not chosen yet

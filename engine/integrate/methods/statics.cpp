@@ -128,7 +128,7 @@ class Statics : public Method {
       last = correction.metres;
       if (!(halved ? take_part(fraction) : take_whole(fraction))) break;
     }
-    return not_converged(correction, tolerance_);
+    return not_converged(correction, tolerance_, cable.length());
   }
 
   /// False where that leads astray.

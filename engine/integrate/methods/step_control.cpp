@@ -14,10 +14,17 @@ constexpr double least_size = 1e-4;
 
 }  // namespace
 
-StepControl::StepControl(double rtol, double atol, double length, int order)
-    : position_scale_(rtol * length + atol), slope_scale_(rtol + atol), exponent_(1.0 / (order + 1)) {}
+StepControl::StepControl(double rtol, double atol, double length, int order, double duration)
+    : position_scale_((rtol + atol) * length),
+      slope_scale_(rtol + atol),
+      duration_(duration),
+      exponent_(1.0 / (duration > 0 ? order : order + 1)) {}
 
-double StepControl::size(const Eigen::VectorXd& error) const {
+double StepControl::tolerance_ratio(double steps) const {
+  return std::pow(steps, 1 / exponent_);
+}
+
+double StepControl::size(const Eigen::VectorXd& error, double h) const {
   double greatest = 0;
   for (Eigen::Index i = 0; i < error.size(); i += 6) {
     const double size = std::max(error.segment<3>(i).lpNorm<Eigen::Infinity>() / position_scale_,
@@ -26,12 +33,12 @@ double StepControl::size(const Eigen::VectorXd& error) const {
       return std::numeric_limits<double>::infinity();
     greatest = std::max(greatest, size);
   }
-  return greatest;
+  return duration_ > 0 ? greatest * duration_ / h : greatest;
 }
 
 double StepControl::first_step(const Eigen::VectorXd& a, double end) const {
   // The way that the acceleration makes in it is a hundredth of the tolerance: too short, but growing fast.
-  const double per_square = size(a);
+  const double per_square = size(a, duration_);
   const double shortest = 1e-9 * end;
   if (!(per_square > 0)) return std::max(1e-3 * end, shortest);
   return std::clamp(std::sqrt(0.02 / per_square), shortest, end);

@@ -36,7 +36,7 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   constexpr long many = 6;
   const auto solve = [&](bool coasting) {
     stage.from = {coasting ? -s.position_old / s.position_new : 1, a_.data()};
-    return stage_.solve(stage, h2 * s.position_new, next_a_);
+    return stage_.solve(stage, h2 * s.position_new, next_a_, allowed_leftover(h));
   };
   const long before = dynamics().counters.newton_iterations;
   next_coasting_ = coasting_;

@@ -47,7 +47,7 @@ class ArkodeDirk : public sundials::ArkodeMethod {
     if (has_fixed_step()) {
       tolerate(spec.parameters.at("newton_tolerance") * dynamics.cable().length(), *spec.step);
     } else {
-      ARKStepSStolerances(ark, *spec.rtol, *spec.atol);
+      ARKStepSVtolerances(ark, *spec.rtol, absolute_tolerances(*spec.atol).get());
       ARKStepSetPredictorMethod(ark, maximum_order);
     }
   }

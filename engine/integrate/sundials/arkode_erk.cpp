@@ -53,7 +53,7 @@ class ArkodeErk : public sundials::ArkodeMethod {
     ERKStepSetErrHandlerFn(erk, sundials::keep_message, &message());
     ERKStepSetTable(erk, make_table(static_cast<int>(spec.parameters.at("order"))).get());
     if (has_fixed_step()) return;
-    ERKStepSStolerances(erk, *spec.rtol, *spec.atol);
+    ERKStepSVtolerances(erk, *spec.rtol, absolute_tolerances(*spec.atol).get());
     // The estimated error is that of the lower formula of a pair: where it is the one that advances, the
     // controller has to count with its order, not with the embedded one's.
     if (spec.parameters.at("order") == 7)

@@ -15,7 +15,7 @@ CvodeMethod::CvodeMethod(int family, const MethodSpec& spec, Dynamics& dynamics,
   if (!cvode_) throw std::bad_alloc();
   CVodeInit(cvode(), right_hand_side, start.t, y());
   CVodeSetUserData(cvode(), static_cast<LibraryMethod*>(this));
-  CVodeSStolerances(cvode(), *spec.rtol, *spec.atol);
+  CVodeSVtolerances(cvode(), *spec.rtol, absolute_tolerances(*spec.atol).get());
   CVodeSetErrHandlerFn(cvode(), keep_message, &message());
   CVodeSetMaxOrd(cvode(), static_cast<int>(spec.parameters.at("max_order")));
 }

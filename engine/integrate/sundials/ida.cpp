@@ -42,7 +42,7 @@ class Ida : public sundials::LibraryMethod {
   Ida(const MethodSpec& spec, Dynamics& dynamics, const State& start, const SupportConstraints& constraints)
       : LibraryMethod(dynamics, start, (spec.parameters.at("stabilised") != 0 ? 2 : 1) * constraints.count()),
         rtol_(*spec.rtol),
-        atol_(*spec.atol),
+        absolute_(absolute_tolerances(*spec.atol)),
         constraints_(constraints),
         stabilised_(spec.parameters.at("stabilised") != 0),
         held_(constraints.apply(start.q)),
@@ -130,8 +130,9 @@ class Ida : public sundials::LibraryMethod {
     const auto& self = static_cast<const Ida&>(*static_cast<LibraryMethod*>(user_data));
     const Eigen::Index n = 2 * self.f_.size();
     sundials::part(weights, 0, N_VGetLength(y)).setZero();
-    sundials::part(weights, 0, n) =
-        (self.rtol_ * sundials::part(y, 0, n).array().abs() + self.atol_).inverse();
+    sundials::part(weights, 0, n) = (self.rtol_ * sundials::part(y, 0, n).array().abs() +
+                                     sundials::part(self.absolute_.get(), 0, n).array())
+                                        .inverse();
     return 0;
   }
 
@@ -150,7 +151,8 @@ class Ida : public sundials::LibraryMethod {
 
   void dense_output(double t, N_Vector to) const override { IDAGetDky(ida_.get(), t, 0, to); }
 
-  double rtol_, atol_;
+  double rtol_;
+  sundials::Vector absolute_;
   SupportConstraints constraints_;
   bool stabilised_;
   Eigen::VectorXd held_;  // G q₀

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <new>
+#include <string_view>
+
+#include "engine/model/cable.h"
 
 namespace plumb::sundials {
 namespace {
@@ -34,6 +37,14 @@ int linear_combination(int count, double* factors, N_Vector* vectors, N_Vector s
   for (; at + wide <= size; at += wide) add_up.operator()<wide>(at);
   for (; at < size; ++at) add_up.operator()<1>(at);
   return 0;
+}
+
+/// A message of the library without "At t = … and h = …, ", which are in the units of the computation and are
+/// told with every failure.
+std::string_view without_times(std::string_view message) {
+  constexpr std::string_view begins = "At t = ", ends = ", ";
+  const std::size_t end = message.find(ends);
+  return message.starts_with(begins) && end != message.npos ? message.substr(end + ends.size()) : message;
 }
 
 }  // namespace
@@ -76,6 +87,16 @@ LibraryMethod::LibraryMethod(Dynamics& dynamics, const State& start, Eigen::Inde
   v_of(y(), start.q.size()) = start.v;
 }
 
+Vector LibraryMethod::absolute_tolerances(double atol) const {
+  Vector result = make_vector(N_VGetLength(y()), context_);
+  const Eigen::Index n = state_.q.size();
+  Eigen::VectorXd allowed = Eigen::VectorXd::Constant(n, atol);
+  scale_nodal(dynamics_.cable().length(), 1, allowed);
+  q_of(result.get(), n) = allowed;
+  v_of(result.get(), n) = allowed / dynamics_.times().own;
+  return result;
+}
+
 int LibraryMethod::right_hand_side(double, N_Vector y, N_Vector ydot, void* user_data) {
   auto& self = *static_cast<LibraryMethod*>(user_data);
   const Eigen::Index n = self.q_.size();
@@ -98,8 +119,10 @@ StepResult LibraryMethod::step(double stop) {
   if (flag < 0 && collapsed_element_ >= 0)
     return {Outcome::singular, "the slope collapsed", collapsed_element_};
   if (flag < 0)
-    return {Outcome::no_convergence,
-            fmt::format("SUNDIALS gave up ({}){}{}", flag, message_.empty() ? "" : ": ", message_), -1};
+    return {
+        Outcome::no_convergence,
+        fmt::format("SUNDIALS gave up ({}){}{}", flag, message_.empty() ? "" : ": ", without_times(message_)),
+        -1};
   const Eigen::Index n = state_.q.size();
   state_.t = reached;
   state_.q = q_of(y(), n);

@@ -70,6 +70,9 @@ class LibraryMethod : public Method {
   /// Remembers where a slope collapsed within the step, in case that the library gives up for it.
   void note_collapsed(int element) { collapsed_element_ = element; }
 
+  /// atol of positions, slopes and their rates, in a vector like y: atol times L, 1, L/T and 1/T.
+  Vector absolute_tolerances(double atol) const;
+
   Dynamics& dynamics() { return dynamics_; }
   const Context& context() const { return context_; }
   N_Vector y() const { return y_.get(); }

@@ -302,7 +302,11 @@ class Search {
     std::stable_sort(all.begin(), all.end(), [](const Member* a, const Member* b) {
       return a->tried.candidate.work < b->tried.candidate.work;
     });
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Member* m) { return holds(m->tried); });
+    for (const Member* member : all)
+      if (unstable_.empty()) unstable_ = member->trajectory.remark();
+    // What keeps to a line for want of a disturbance proves nothing.
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Member* m) { return unstable_.empty() && holds(m->tried); });
     result_.holds = found != all.end();
     const Member* chosen = result_.holds ? *found : finest_;
     if (result_.holds) share_out(*chosen);
@@ -360,6 +364,10 @@ class Search {
       result_.uncertain = "what the picture shows: the cable is never in it, which proves nothing";
       return;
     }
+    if (!unstable_.empty()) {
+      result_.uncertain = where + ": " + unstable_ + ". Nothing is proven without an imperfection";
+      return;
+    }
     if (out_of_budget_)
       result_.uncertain = fmt::format(
           "{} within {:g} px: to tell it would cost more than one run at the safe default, which was taken",
@@ -382,6 +390,7 @@ class Search {
   std::vector<double> own_;  // error of the finest, so far, a frame each
   bool out_of_budget_ = false;
   bool sees_nothing_ = false;  // of the cable, in any frame
+  std::string unstable_;       // remark of a motion that stays where it is by symmetry; empty: none does
 };
 
 }  // namespace

@@ -64,7 +64,7 @@ std::string truth_in_words(int elements) {
 /// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far
 /// off.
 double doubt_of(const Truth& truth, const PictureErrors& errors) {
-  if (truth.motion.outcome != Outcome::completed) return INFINITY;
+  if (truth.motion.outcome != Outcome::completed || truth.motion.unstable_since >= 0) return INFINITY;
   double doubt = greatest(errors(truth.on_half_the_mesh)) / 3;
   if (truth.by_another_method.outcome != Outcome::not_run) doubt += greatest(errors(truth.by_another_method));
   return doubt;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "engine/integrate/method_roles.h"
+#include "engine/integrate/monitor.h"
 #include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"
 #include "engine/study/reference/node_distance.h"
@@ -43,6 +45,8 @@ class Neighbours {
   Neighbours(const Case& spec, double time_limit)
       : spec_(spec), cable_(spec), change_(random_change(cable_)), time_limit_(time_limit) {
     constexpr double outputs = 500;
+    swing_ = Monitor(cable_, {0, cable_.start_q(spec.start), cable_.start_v(spec.start)}).own_time() /
+             (4 * std::numbers::pi);
     const double wished = std::min(spec.time.output_interval, spec.time.end / outputs);
     time_ = {spec.time.end, spec.time.end / std::ceil(spec.time.end / wished)};
     method_ = plain_method(accurate_explicit());
@@ -57,6 +61,8 @@ class Neighbours {
 
   const Trajectory& motion() const { return motion_; }
 
+  double length() const { return cable_.length(); }
+
   /// The motion from a start moved by that much, m.
   Trajectory run(double apart) const {
     State start{0, cable_.start_q(spec_.start), cable_.start_v(spec_.start)};
@@ -67,7 +73,7 @@ class Neighbours {
   /// Mean growth of the logarithm of a small distance along the motion, 1/s.
   double exponent() const {
     // Small against the motion and large against its round-off.
-    constexpr double small = 1e-8;
+    const double small = 1e-8 * cable_.length();
     // The change first turns into the direction that grows most.
     constexpr double turning = 0.2;
     const TimeSpec once{time_.output_interval, time_.output_interval};
@@ -78,7 +84,7 @@ class Neighbours {
       dq *= scale;
       dv *= scale;
       const State start{0, motion_.q[k] + dq, motion_.v[k] + dv};
-      const Trajectory step = integrate(cable_, start, method_, once);
+      const Trajectory step = integrate(cable_, start, method_, once, {}, time_limit_);
       if (step.outcome != Outcome::completed) break;
       dq = step.q.back() - motion_.q[k + 1];
       dv = step.v.back() - motion_.v[k + 1];
@@ -94,18 +100,18 @@ class Neighbours {
  private:
   /// Of a change of the state, m: rates count by the time that a swing of the cable takes.
   double size(const Eigen::VectorXd& dq, const Eigen::VectorXd& dv) const {
-    constexpr double swing = 0.1;  // s
     Eigen::VectorXd inertia;
     cable_.mass().multiply(dq, inertia);
     double squares = dq.dot(inertia);
     cable_.mass().multiply(dv, inertia);
-    squares += swing * swing * dv.dot(inertia);
+    squares += swing_ * swing_ * dv.dot(inertia);
     return std::sqrt(squares / (cable_.constants().mass_per_length * cable_.length()));
   }
 
   Case spec_;
   Cable cable_;
   Eigen::VectorXd change_;
+  double swing_;  // s
   double time_limit_;
   TimeSpec time_;
   MethodSpec method_;
@@ -142,7 +148,8 @@ TrajectoryDivergence divergence(const Case& spec, double parameter, double toler
   result.parameter = parameter;
   result.elements = spec.cable.elements;
   const Neighbours neighbours(spec, time_limit);
-  const Trajectory other = neighbours.run(apart);
+  const double metres = apart * neighbours.length();
+  const Trajectory other = neighbours.run(metres);
   const Trajectory& motion = neighbours.motion();
   for (std::size_t k = 0; k < std::min(motion.q.size(), other.q.size()); ++k) {
     result.times.push_back(motion.times[k]);
@@ -153,7 +160,7 @@ TrajectoryDivergence divergence(const Case& spec, double parameter, double toler
   // A motion that could not be followed to its end says nothing of what comes after.
   result.beyond_end = !result.times.empty() && result.horizon == result.times.back() &&
                       motion.outcome == Outcome::completed && other.outcome == Outcome::completed;
-  result.in_words = in_words(result, tolerance, apart);
+  result.in_words = in_words(result, tolerance, metres);
   return result;
 }
 

@@ -31,7 +31,7 @@ Trajectory neighbour(const ReferenceMotion& motion, double time_limit) {
   State start{0, cable.start_q(motion.spec.start), cable.start_v(motion.spec.start)};
   // The last node moves across all three axes, so that no direction of the motion is left out.
   Eigen::VectorXd change = Eigen::VectorXd::Zero(start.q.size());
-  change.segment<3>(6 * cable.elements()).setConstant(start_distance / std::sqrt(3.0));
+  change.segment<3>(6 * cable.elements()).setConstant(start_distance * cable.length() / std::sqrt(3.0));
   cable.supports().apply(change);
   start.q += change;
   MethodSpec tight = plain_method(embedded_explicit());
@@ -72,7 +72,8 @@ std::vector<MotionStatistics> motion_statistics(const std::vector<const Referenc
     if (motion->divergence.beyond_end || motion->divergence.horizon < 0) continue;
     tasks.emplace_back([=] { return statistics_of(*motion, "reference", 0, motion->trajectory); });
     tasks.emplace_back([=] {
-      return statistics_of(*motion, fmt::format("neighbour, {:g} m off at the start", start_distance), 0,
+      return statistics_of(*motion,
+                           fmt::format("neighbour, {:g} of the length off at the start", start_distance), 0,
                            neighbour(*motion, time_limit));
     });
     for (const MethodSetting& variant : variants)

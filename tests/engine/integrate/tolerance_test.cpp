@@ -58,6 +58,29 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+// Errors of many steps add up, and must not add up to more than was asked for.
+TEST(ErrorControl, OfMethodsOfLowOrderKeepsTheWholeRunWithinItsTolerance) {
+  static const Trajectory reference = run(pendulum(5, 4), method("arkode-erk", {}, 1e-13), half_second);
+  for (const MethodInfo& info : method_infos()) {
+    if (info.family != MethodFamily::structural || !info.takes_tolerances) continue;
+    for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+      if (tolerance < 0.1 * info.rtol) continue;  // too much work for a test
+      const Trajectory trajectory = run(pendulum(5, 4), method(info.name, {}, tolerance), half_second);
+      ASSERT_EQ(trajectory.outcome, Outcome::completed) << info.name << ": " << trajectory.message;
+      const double error = tip_distance(trajectory, reference);
+      EXPECT_LE(error, 10 * tolerance) << fmt::format("{}, rtol {:g}: {:.3g} m", info.name, tolerance, error);
+    }
+  }
+}
+
+TEST(ErrorControl, RefusesWhatWouldTakeTooManyStepsAndNamesTheToleranceThatWouldNot) {
+  const Trajectory refused = run(pendulum(5, 4), method("implicit-euler", {}, 1e-9), half_second);
+  EXPECT_EQ(refused.outcome, Outcome::no_convergence) << refused.message;
+  EXPECT_NE(refused.message.find("steps, more than 1e+07; from about "), refused.message.npos)
+      << refused.message;
+  EXPECT_LT(refused.counters.steps, 10000) << "it went on for long before it was refused";
+}
+
 TEST(ErrorControl, OfAdamsFormulasUsesNoMatrixAndFewForcesAStep) {
   const Trajectory seen = run(pendulum(5, 4), method("cvode-adams", {}, 1e-8), half_second);
   EXPECT_EQ(seen.counters.tangent_evaluations, 0);

@@ -193,8 +193,8 @@ y = "a.x"
   EXPECT_EQ(spec.start, StartSpec{});
   EXPECT_EQ(spec.supports, SupportsSpec{});
   EXPECT_EQ(spec.loads, LoadsSpec{});
-  EXPECT_EQ(spec.method.rtol, default_rtol);
-  EXPECT_EQ(spec.method.atol, default_rtol);
+  EXPECT_EQ(spec.method.rtol, find_method(spec.method.name)->rtol);
+  EXPECT_EQ(spec.method.atol, find_method(spec.method.name)->rtol);
   ASSERT_EQ(spec.method.parameters.size(), find_method("cvode-bdf")->parameters.size());
   for (const MethodParameter& parameter : find_method("cvode-bdf")->parameters) {
     EXPECT_EQ(spec.method.parameters.at(parameter.name), parameter.fallback);

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "engine/integrate/method.h"
+#include "engine/integrate/methods/newton.h"
+#include "engine/model/cable.h"
+#include "tests/engine/pendulum.h"
+
+namespace plumb {
+namespace newton_leftover_test {
+
+/// What Newton's iteration, done once more with a dense matrix, would still change in the positions after a
+/// step of h, m; of a method with M a = f(point q₁ + (1 − point) q₀), v₁ = v₀ + h a and q₁ = q₀ + h v₀ +
+/// reach h² a.
+double left_over(const Cable& cable, const State& from, const State& to, double point, double reach) {
+  const double h = to.t - from.t;
+  const Eigen::VectorXd q = point * to.q + (1 - point) * from.q, a = (to.v - from.v) / h;
+  Eigen::VectorXd f, inertia;
+  EXPECT_FALSE(cable.force(q, f).has_value());
+  cable.mass().multiply(a, inertia);
+  f -= inertia;
+  cable.supports().apply(f);
+  BlockTridiagonal A(cable.nodes());
+  cable.system(q, 1, point * reach * h * h, A);
+  cable.supports().apply(A);
+  const Eigen::VectorXd change = A.dense().fullPivLu().solve(f);
+  return correction_size(change, reach * h * h, cable.element().length()).metres;
+}
+
+TEST(NewtonLeftover, IsWithinTheToleranceOfTheIteration) {
+  constexpr double tolerance = 1e-8;  // of 1 m; round-off is far below
+  struct {
+    const char* name;
+    double point, reach;
+  } const schemes[]{{"implicit-euler", 1, 1}, {"implicit-midpoint", 0.5, 0.5}};
+  for (const auto& [name, point, reach] : schemes)
+    for (const double f : {1.0, 5.0, 20.0})
+      for (const double h : {1e-5, 1e-4, 1e-3, 3e-3}) {
+        const Case spec = pendulum(f, 4);
+        const Cable cable(spec);
+        const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
+        Dynamics dynamics(cable);
+        MethodSpec with = method(name, h);
+        with.parameters["newton_tolerance"] = tolerance;
+        const std::unique_ptr<Method> integrator = make_method(with, dynamics, start);
+        double worst = 0;
+        State before = start;
+        for (int k = 0; k < 200; ++k) {
+          if (!integrator->step(1e6).ok()) break;
+          worst = std::max(worst, left_over(cable, before, integrator->state(), point, reach));
+          before = integrator->state();
+        }
+        EXPECT_LE(worst, tolerance) << fmt::format(
+            "{}, f = {}, h = {}: {:.2g} m are left, {:g} m are allowed", name, f, h, worst, tolerance);
+        RecordProperty(fmt::format("{}_{}_{}", name, f, h), fmt::format("{:.3g}", worst / tolerance));
+      }
+}
+
+}  // namespace newton_leftover_test
+}  // namespace plumb
