@@ -86,6 +86,9 @@ struct StartSpec {
   /// Of the last end along the cable, m/s, beside the rotation; along the rest as the first axial vibration
   /// of a cable held at its first end has it, sin(πs/2).
   double axial_speed = 0;
+  /// Greatest displacement of the start from the straight line, m, in the first buckling mode
+  /// (first_buckling); negative to the other side.
+  double imperfection = 0;
 
   friend bool operator==(const StartSpec&, const StartSpec&) = default;
 };

@@ -37,9 +37,12 @@ void record(const Cable& cable, double t, const State& state, Trajectory& trajec
   trajectory.energies.push_back(cable.energies(state.q, state.v));
 }
 
-/// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
-void record_constraints(const Cable& cable, const Method& method, double t, Eigen::VectorXd& lambda,
-                        Trajectory& trajectory) {
+/// What a method has beside the state of an output that was just recorded: the stability of an equilibrium,
+/// the multipliers of joints and how far these have drifted.
+void record_extras(const Cable& cable, const Method& method, double t, Eigen::VectorXd& lambda,
+                   Trajectory& trajectory) {
+  if (const auto negative = method.negative_eigenvalues(t))
+    trajectory.equilibria.negative_eigenvalues.push_back(*negative);
   method.constraint_forces(t, lambda);
   if (lambda.size() == 0) return;
   trajectory.multipliers.push_back(lambda);
@@ -96,8 +99,9 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   StepResult last = monitor.check(start);
   // A start that is not even finite has nothing to show.
   if (last.outcome != Outcome::diverged) {
-    record(cable, start.t, start, result);
-    record_constraints(cable, *integrator, start.t, lambda, result);
+    // Statics begins with an equilibrium that is found from the start.
+    record(cable, start.t, info == nullptr || info->dynamic ? start : integrator->state(), result);
+    record_extras(cable, *integrator, start.t, lambda, result);
   }
   std::size_t next = 1;
   long failed_step = 0;
@@ -131,7 +135,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
       if (std::abs(outputs[next] - now.t) <= near) {
         record(cable, outputs[next], now, result);
-        record_constraints(cable, *integrator, now.t, lambda, result);
+        record_extras(cable, *integrator, now.t, lambda, result);
       } else {
         integrator->interpolate(outputs[next], between);
         if (last = integrator->interpolated(); !last.ok()) {
@@ -139,7 +143,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
           break;
         }
         record(cable, outputs[next], between, result);
-        record_constraints(cable, *integrator, outputs[next], lambda, result);
+        record_extras(cable, *integrator, outputs[next], lambda, result);
         ++result.interpolated_outputs;
       }
     }
@@ -155,6 +159,11 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     }
   }
   result.solve_seconds = elapsed();
+  if (last.ok()) {
+    last = integrator->conclusion();
+    failed_step = dynamics.counters.steps;
+  }
+  integrator->add_to(result);
   result.outcome = last.outcome;
   if (!last.ok()) {
     result.message = describe(last, method, integrator->state().t, failed_step);

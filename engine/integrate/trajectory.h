@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/integrate/equilibria.h"
 #include "engine/model/energies.h"
 
 namespace plumb {
@@ -70,6 +71,7 @@ struct Trajectory {
   /// The shortest step that was taken after a longer one had been rejected, s. -1: none was.
   double shortest_cut = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
+  Equilibria equilibria;         ///< of statics
 
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone

@@ -68,6 +68,7 @@ StartSpec read_start(TableReader table) {
   start.angular_velocity = table.vector("angular_velocity", "rad/s", start.angular_velocity);
   start.slope_rates = table.choice<SlopeRates>("slope_rates", start.slope_rates);
   start.axial_speed = table.number("axial_speed", Range::any("m/s"), start.axial_speed);
+  start.imperfection = table.number("imperfection", Range::any("m"), start.imperfection);
   table.finish();
 
   // Scaled by its largest component first: the square of a tiny or huge one is not a number to divide by.

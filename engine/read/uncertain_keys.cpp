@@ -20,7 +20,8 @@ std::vector<NumberKey> numbers(const Case& spec) {
           {"cable.density", spec.cable.density},
           {"cable.youngs_modulus", spec.cable.youngs_modulus},
           {"cable.second_moment", spec.cable.second_moment},
-          {"start.axial_speed", spec.start.axial_speed}};
+          {"start.axial_speed", spec.start.axial_speed},
+          {"start.imperfection", spec.start.imperfection}};
 }
 
 struct ListKey {

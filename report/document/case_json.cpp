@@ -2,7 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/base/codec.h"
+#include "engine/integrate/method_info.h"
 #include "engine/model/support_constraints.h"
+#include "engine/run/stored_parts.h"
 #include "report/document/given_json.h"
 
 namespace plumb {
@@ -12,6 +15,20 @@ using Json = nlohmann::ordered_json;
 
 Json vector_json(const Vec3& v) {
   return {v[0], v[1], v[2]};
+}
+
+Json equilibria_json(const Equilibria& equilibria) {
+  Json json{{"negative_eigenvalues", equilibria.negative_eigenvalues},
+            {"critical_points", encode(equilibria.critical_points)}};
+  Json &path = json["path"], &loads = path["load"], &displacements = path["displacement"],
+       &negative = path["negative_eigenvalues"], &joined = path["joined"];
+  for (const PathPoint& point : equilibria.path) {
+    loads.push_back(point.load);
+    displacements.push_back(point.displacement);
+    negative.push_back(point.negative);
+    joined.push_back(point.joined);
+  }
+  return json;
 }
 
 }  // namespace
@@ -37,6 +54,7 @@ Json solve_json(const Run& run) {
             {"constraint_drift", t.constraint_drift},
             {"greatest_reaction",
              t.multipliers.empty() ? -1 : greatest_reaction(run.loaded.spec.supports, t.multipliers)}};
+  if (!t.equilibria.path.empty()) json["equilibria"] = equilibria_json(t.equilibria);
   return json;
 }
 
@@ -68,6 +86,11 @@ Json method_json(const MethodSpec& method) {
   if (method.rtol) json["rtol"] = *method.rtol;
   if (method.atol) json["atol"] = *method.atol;
   for (const auto& [name, value] : method.parameters) json[name] = value;
+  if (const MethodInfo* info = find_method(method.name))
+    for (const MethodParameter& parameter : info->parameters)
+      if (!parameter.words.empty() && method.parameters.contains(parameter.name))
+        json[parameter.name] =
+            parameter.words.at(static_cast<std::size_t>(method.parameters.at(parameter.name)));
   return json;
 }
 
@@ -89,7 +112,8 @@ Json case_json(const LoadedCase& loaded) {
   json["start"] = {{"direction", vector_json(spec.start.direction)},
                    {"angular_velocity", vector_json(spec.start.angular_velocity)},
                    {"slope_rates", word(spec.start.slope_rates)},
-                   {"axial_speed", spec.start.axial_speed}};
+                   {"axial_speed", spec.start.axial_speed},
+                   {"imperfection", spec.start.imperfection}};
   json["supports"] = {{"first", word(spec.supports.first)}, {"last", word(spec.supports.last)}};
   for (const LoadKey& key : load_keys)
     json["loads"][std::string(key.name)] = vector_json(spec.loads.*key.value);

@@ -8,6 +8,7 @@
 #include "render/gl/markup.h"
 #include "report/figure/ending_mark.h"
 #include "report/figure/field_figures.h"
+#include "report/figure/load_path_figure.h"
 #include "report/figure/number_markup.h"
 
 namespace plumb {
@@ -284,6 +285,7 @@ std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& erro
   if (!run.trajectory.energies.empty()) {
     result.push_back(energy_figure(run));
     for (Figure& figure : field_figures(run)) result.push_back(std::move(figure));
+    if (!run.trajectory.equilibria.path.empty()) result.push_back(load_path_figure(run));
   }
   for (Figure& figure : result) {
     figure.plot.title = literal(figure.title);
