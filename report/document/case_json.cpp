@@ -18,17 +18,18 @@ Json vector_json(const Vec3& v) {
 }
 
 Json equilibria_json(const Equilibria& equilibria) {
-  Json json{{"negative_eigenvalues", equilibria.negative_eigenvalues},
-            {"critical_points", encode(equilibria.critical_points)}};
-  Json &path = json["path"], &loads = path["load"], &displacements = path["displacement"],
-       &negative = path["negative_eigenvalues"], &joined = path["joined"];
-  for (const PathPoint& point : equilibria.path) {
-    loads.push_back(point.load);
-    displacements.push_back(point.displacement);
-    negative.push_back(point.negative);
-    joined.push_back(point.joined);
-  }
-  return json;
+  const auto column = [&](auto PathPoint::*member) {
+    Json values = Json::array();
+    for (const PathPoint& point : equilibria.path) values.push_back(point.*member);
+    return values;
+  };
+  return {{"negative_eigenvalues", equilibria.negative_eigenvalues},
+          {"critical_points", encode(equilibria.critical_points)},
+          {"path",
+           {{"load", column(&PathPoint::load)},
+            {"displacement", column(&PathPoint::displacement)},
+            {"negative_eigenvalues", column(&PathPoint::negative)},
+            {"joined", column(&PathPoint::joined)}}}};
 }
 
 }  // namespace

@@ -120,10 +120,17 @@ class Statics : public Method {
     if (!overloaded) return;
     result.outcome = Outcome::no_convergence;
     result.element = overloaded->element;
-    result.reason += fmt::format(
-        "; the Green-Lagrange bar bears at most {:.5f} EA in compression, at a stretch of 1/√3, and this "
-        "element would have to bear {:.5g} EA",
-        green_compression_limit, overloaded->compression);
+    const auto& points = path_.critical_points();
+    const std::string limit =
+        !points.empty() && points.back().kind == CriticalKind::limit_point
+            ? fmt::format("a limit point is at {:.6g} of the load: ", points.back().load)
+            : "";
+    result.reason =
+        limit +
+        fmt::format(
+            "the Green-Lagrange bar bears at most {:.5f} EA in compression, at a stretch of 1/√3, and this "
+            "element would have to bear {:.5g} EA",
+            green_compression_limit, overloaded->compression);
   }
 
   FixedSteps steps_;
