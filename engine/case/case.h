@@ -121,6 +121,9 @@ struct StartSpec {
   /// Of the last end along the cable, m/s, beside the rotation; along the rest as the first axial vibration
   /// of a cable held at its first end has it, sin(πs/2).
   double axial_speed = 0;
+  /// Greatest displacement of the start from the straight line, m, in the first buckling mode
+  /// (first_buckling); negative to the other side.
+  double imperfection = 0;
 
   friend bool operator==(const StartSpec&, const StartSpec&) = default;
 };
@@ -137,6 +140,10 @@ void visit_keys(SpecOf<StartSpec> auto& start, auto&& visit) {
             .meaning = "axial speed of the last end at the start",
             .range = Range::any("m/s")},
         start.axial_speed);
+  visit(Key{.name = "imperfection",
+            .meaning = "imperfection of the start, in the first buckling mode",
+            .range = Range::any("m")},
+        start.imperfection);
 }
 
 struct SupportsSpec {

@@ -62,11 +62,10 @@ class Adviser {
 
   std::string on(Outcome outcome) const {
     if (outcome == Outcome::unstable_equilibrium)
-      return "smaller steps of the load, a small force across that says to which side the cable gives way, "
-             "or "
-             "a smaller load";
+      return "follow = \"stable\", a small force across that says to which side the cable gives way, or a "
+             "smaller load";
     if (!info_.dynamic && outcome >= Outcome::unstable && outcome != Outcome::out_of_time)
-      return "a smaller load, more elements, or smaller steps of the load";
+      return "a smaller load, or more elements";
     if (attempt_ && outcome >= Outcome::unstable && outcome <= Outcome::singular) return tried(outcome);
     switch (outcome) {
       case Outcome::unstable:

@@ -64,6 +64,15 @@ std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor
   return definite_ ? std::nullopt : factor_indefinite(q, mass_factor, stiffness_factor);
 }
 
+std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, const NodeSpring& spring) {
+  ++counters.tangent_evaluations;
+  ++counters.factorizations;
+  assemble(q, 0, 1);
+  system_->diagonal(spring.node).topLeftCorner<3, 3>() += spring.along * spring.along.transpose();
+  definite_ = best_kernels().factor(cable_.nodes(), system_->data(), factors()) < 0;
+  return definite_ ? std::nullopt : lu_.factor(GeneralBlockTridiagonal<double>(*system_));
+}
+
 std::optional<int> Dynamics::factor_indefinite(const Eigen::VectorXd& q, double mass_factor,
                                                double stiffness_factor) {
   definite_ = false;

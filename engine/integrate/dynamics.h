@@ -20,6 +20,12 @@ struct RunTimes {
   double duration = 1;  ///< s
 };
 
+/// A spring between a node and the ground.
+struct NodeSpring {
+  int node;
+  Eigen::Vector3d along;  ///< of the square root of its stiffness: |along|² in N/m
+};
+
 /// What a method asks of a cable during one run, with the count of what it asked. Not shared between threads.
 class Dynamics {
  public:
@@ -45,6 +51,9 @@ class Dynamics {
   /// which S is singular; nothing if all is well.
   [[nodiscard]] std::optional<int> factor(const Eigen::VectorXd& q, double mass_factor,
                                           double stiffness_factor);
+
+  /// Factors K(q) with supports and a spring to the ground beside it. Returns what `factor` does.
+  [[nodiscard]] std::optional<int> factor(const Eigen::VectorXd& q, const NodeSpring& spring);
 
   /// Negative eigenvalues of the S that was factored last: 0 only where it is positive definite, nothing
   /// where they cannot be counted.

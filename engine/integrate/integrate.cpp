@@ -47,7 +47,7 @@ class Recorder {
   /// `state` at the output time t (s), of the last step of `method`, in its own units.
   void record(double t, const State& state, const Method& method) {
     record(t, state);
-    record_constraints(state.t, method);
+    record_extras(state.t, method);
   }
 
   /// The same of a state between the last two steps.
@@ -56,7 +56,7 @@ class Recorder {
     Energies& energies = trajectory_.energies.back();
     const State end = in_si(method.state());
     energies.interpolation = energies.total() - cable_.energies(end.q, end.v).total();
-    record_constraints(state.t, method);
+    record_extras(state.t, method);
   }
 
  private:
@@ -75,8 +75,11 @@ class Recorder {
     trajectory_.v.push_back(std::move(state.v));
   }
 
-  /// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
-  void record_constraints(double t, const Method& method) {
+  /// What a method has beside the state of an output that was just recorded: the stability of an equilibrium,
+  /// the multipliers of joints and how far these have drifted.
+  void record_extras(double t, const Method& method) {
+    if (const auto negative = method.negative_eigenvalues(t))
+      trajectory_.equilibria.negative_eigenvalues.push_back(*negative);
     method.constraint_forces(t, lambda_);
     if (lambda_.size() == 0) return;
     const SupportConstraints constraints(cable_.supports().spec(), cable_.supports().direction(),
@@ -131,7 +134,9 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   const std::unique_ptr<Method> integrator = make_method(own_method, dynamics, own_start);
   StepResult last = monitor.check(own_start);
   // A start that is not even finite has nothing to show.
-  if (last.outcome != Outcome::diverged) recorder.record(start.t, own_start, *integrator);
+  if (last.outcome != Outcome::diverged)
+    // Statics begins with an equilibrium that is found from the start.
+    recorder.record(start.t, info == nullptr || info->dynamic ? own_start : integrator->state(), *integrator);
   std::size_t next = 1;
   long failed_step = 0;
   long rejected = 0;
@@ -186,6 +191,13 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
     }
   }
   result.solve_seconds = elapsed();
+  if (last.ok()) {
+    last = integrator->conclusion();
+    failed_step = dynamics.counters.steps;
+  }
+  integrator->add_to(result);
+  for (PathPoint& point : result.equilibria.path) point.displacement *= units.length;
+  for (CriticalPoint& point : result.equilibria.critical_points) point.displacement *= units.length;
   result.outcome = last.outcome;
   result.end_time = integrator->state().t * units.time;
   if (!last.ok()) {

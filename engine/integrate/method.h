@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/case/case.h"
@@ -37,6 +38,16 @@ class Method {
 
   /// Whether the state that `interpolate` gave last may be shown; where not, why.
   virtual StepResult interpolated() const { return {}; }
+
+  /// Negative eigenvalues of the stiffness at t (s), that of the state or of the one that was interpolated
+  /// last, -1 where they cannot be counted; nothing of a method that looks for no equilibria.
+  virtual std::optional<int> negative_eigenvalues(double /*t*/) const { return std::nullopt; }
+
+  /// What is to be said of a run that came to its end, where that is not `completed`.
+  virtual StepResult conclusion() const { return {}; }
+
+  /// Adds what the method alone knows of the whole run, however it ended.
+  virtual void add_to(Trajectory& /*trajectory*/) const {}
 
   /// True where a step should end on every output time because interpolation would cost accuracy.
   virtual bool stops_at_outputs() const { return false; }

@@ -17,6 +17,8 @@ struct MethodParameter {
   double maximum = 0;   ///< inclusive
   double fallback = 0;
   bool whole = false;  ///< whole numbers only
+  /// The words that a case file uses in the place of the numbers 0, 1, … of a choice; none of a number.
+  std::vector<std::string> words = {};
 };
 
 /// Methods that are alike in how they work, and so in when they serve.

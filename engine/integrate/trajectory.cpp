@@ -43,6 +43,15 @@ std::string_view word(Outcome outcome) {
   return "not-run";
 }
 
+std::span<const CriticalKind> critical_kinds() {
+  static constexpr std::array all{CriticalKind::limit_point, CriticalKind::bifurcation};
+  return all;
+}
+
+std::string_view word(CriticalKind kind) {
+  return kind == CriticalKind::limit_point ? "limit-point" : "bifurcation";
+}
+
 namespace {
 
 /// The greater of two numbers; one that is not a number is greater than any.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/integrate/equilibria.h"
 #include "engine/model/energies.h"
 
 namespace plumb {
@@ -73,6 +74,7 @@ struct Trajectory {
   /// disturbance, s. -1: there is none.
   double unstable_since = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
+  Equilibria equilibria;         ///< of statics
 
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone

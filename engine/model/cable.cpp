@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/model/buckling.h"
 #include "engine/model/hermite.h"
 
 namespace plumb {
@@ -57,6 +58,8 @@ Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
     q.segment<3>(6 * node) = element_.length() * node * start.direction;
     q.segment<3>(6 * node + 3) = start.direction;
   }
+  if (start.imperfection != 0)
+    if (const auto buckling = first_buckling(*this, q)) q += start.imperfection * buckling->shape;
   return q;
 }
 

@@ -51,7 +51,7 @@ class Cable {
   const MassMatrix& mass() const { return mass_; }
   const SupportProjection& supports() const { return supports_; }
 
-  /// Straight, unstretched, turning with the angular velocity of the case.
+  /// Straight and unstretched, but for the imperfection of the case.
   Eigen::VectorXd start_q(const StartSpec& start) const;
   /// The rates at the start, those of the rotation and of the axial speed together, with what the supports
   /// hold set to 0.

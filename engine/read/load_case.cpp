@@ -194,6 +194,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
     if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
   }
+  if (spec.start.imperfection != 0) check_imperfection(spec, start);
   if (extent == Extent::motion) return loaded;
   ReferencesRead read = read_references(references, file.name, files, spec.probes, spec.time);
   spec.references = std::move(read.uses);

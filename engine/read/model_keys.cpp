@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/integrate/method_roles.h"
+#include "engine/model/buckling.h"
+#include "engine/model/cable.h"
 
 namespace plumb {
 
@@ -34,6 +37,25 @@ std::vector<std::string> drop_keys_of_other_models(TomlValue& merged) {
     return true;
   });
   return remarks;
+}
+
+void check_imperfection(const Case& spec, const TableReader& start) {
+  constexpr double largest = 0.1;  // of the length: a mode is that of small displacements
+  constexpr std::string_view key = "imperfection";
+  if (!(std::abs(spec.start.imperfection) <= largest * spec.cable.length))
+    start.refuse_value(key, fmt::format("must be at most a tenth of the length, {:g} m, to either side",
+                                        largest * spec.cable.length));
+  if (spec.cable.model != CableModel::cable)
+    start.refuse_value(
+        key, fmt::format("must be 0 for the model {}, which does not bend", word(spec.cable.model)));
+  StartSpec straight = spec.start;
+  straight.imperfection = 0;
+  const Cable cable(spec);
+  if (!first_buckling(cable, cable.start_q(straight)))
+    start.refuse_value(key,
+                       fmt::format("there is no buckling mode for it to be in: up to {:g} times these loads "
+                                   "nothing presses this cable, held as it is, so that it gives way",
+                                   greatest_buckling_load));
 }
 
 void check_rigid(const Case& spec, const RigidTables& tables) {

@@ -17,6 +17,10 @@ std::vector<std::string_view> foreign_keys(CableModel model);
 /// these do not have out of `merged`. Returns a remark each.
 std::vector<std::string> drop_keys_of_other_models(TomlValue& merged);
 
+/// Refuses an imperfection that is beyond a tenth of the length, or that has no buckling mode to be in.
+/// Throws InputError.
+void check_imperfection(const Case& spec, const TableReader& start);
+
 /// The tables of a case that say what a rigid rod may not be given.
 struct RigidTables {
   const TableReader& start;

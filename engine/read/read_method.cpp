@@ -111,6 +111,11 @@ MethodSpec read_method(TableReader table, const TimeSpec& time) {
     method.atol = table.number("atol", Range::positive("of L, L/T, 1 and 1/T"), *method.rtol);
   }
   for (const MethodParameter& parameter : info->parameters) {
+    if (!parameter.words.empty()) {
+      const auto chosen = table.choice(parameter.name, parameter.words, true);
+      method.parameters[parameter.name] = chosen ? static_cast<double>(*chosen) : parameter.fallback;
+      continue;
+    }
     Range range = Range::between(parameter.minimum, parameter.maximum, "");
     range.whole = parameter.whole;
     method.parameters[parameter.name] = table.number(parameter.name, range, parameter.fallback);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "engine/base/checked_file.h"
+#include "engine/base/codec.h"
 #include "engine/base/errors.h"
 #include "engine/base/hdf5.h"
 #include "engine/base/message.h"
@@ -38,7 +39,65 @@ const Field fields[] = {{"states/position", "m", &Trajectory::q, 0},
 constexpr const char* multipliers_path = "constraints/multipliers";
 constexpr const char* shortest_cut_path = "shortest_cut";
 constexpr const char* unstable_since_path = "unstable_since";
+constexpr const char* equilibria_path = "equilibria/negative_eigenvalues";
+constexpr const char* critical_path = "equilibria/critical_points";
 constexpr const char* drift_path = "constraints/drift";
+
+/// A number of each point of the path of statics.
+struct PathColumn {
+  const char* path;
+  const char* unit;
+  double (*value)(const PathPoint&);
+  void (*take)(double, PathPoint&);
+};
+const PathColumn path_columns[] = {
+    {"equilibria/path/load", "1", [](const PathPoint& p) { return p.load; },
+     [](double value, PathPoint& p) { p.load = value; }},
+    {"equilibria/path/displacement", "m", [](const PathPoint& p) { return p.displacement; },
+     [](double value, PathPoint& p) { p.displacement = value; }},
+    {"equilibria/path/negative_eigenvalues", "1",
+     [](const PathPoint& p) { return static_cast<double>(p.negative); },
+     [](double value, PathPoint& p) { p.negative = static_cast<int>(std::clamp(value, -1.0, 1e9)); }},
+    {"equilibria/path/joined", "1", [](const PathPoint& p) { return p.joined ? 1.0 : 0.0; },
+     [](double value, PathPoint& p) { p.joined = value != 0; }}};
+
+/// What only statics has.
+void write_equilibria(const Equilibria& equilibria, hdf5::Writer& file) {
+  if (equilibria.path.empty()) return;
+  file.integers(equilibria_path,
+                {equilibria.negative_eigenvalues.begin(), equilibria.negative_eigenvalues.end()});
+  std::vector<double> values;
+  for (const PathColumn& column : path_columns) {
+    values.clear();
+    for (const PathPoint& point : equilibria.path) values.push_back(column.value(point));
+    file.numbers(column.path, {values.size()}, values.data(), column.unit);
+  }
+  file.text(critical_path, encode(equilibria.critical_points).dump());
+}
+
+void read_equilibria(const hdf5::Reader& file, Trajectory& result) {
+  if (!file.has(equilibria_path)) return;
+  for (const long negative : file.integers(equilibria_path))
+    result.equilibria.negative_eigenvalues.push_back(
+        static_cast<int>(std::clamp(negative, -1L, 1'000'000'000L)));
+  if (result.equilibria.negative_eigenvalues.size() != result.times.size())
+    throw std::runtime_error("its equilibria are not one an output");
+  std::vector<PathPoint>& path = result.equilibria.path;
+  for (const PathColumn& column : path_columns) {
+    const std::vector<double> values = file.numbers(column.path).values;
+    if (path.empty()) path.resize(values.size());
+    if (path.size() != values.size()) throw std::runtime_error("its path of equilibria is not whole");
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (!std::isfinite(values[k])) throw std::runtime_error("its path of equilibria is not finite");
+      column.take(values[k], path[k]);
+    }
+  }
+  try {
+    decode(nlohmann::ordered_json::parse(file.text(critical_path)), result.equilibria.critical_points);
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(std::string("its critical points cannot be read: ") + error.what());
+  }
+}
 
 void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   const hsize_t outputs = trajectory.times.size();
@@ -68,6 +127,7 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   }
   for (const auto& [name, part] : stored_counters())
     file.integer(fmt::format("counters/{}", name), trajectory.counters.*part);
+  write_equilibria(trajectory.equilibria, file);
   if (trajectory.multipliers.empty()) return;
   values.clear();
   for (const Eigen::VectorXd& lambda : trajectory.multipliers)
@@ -150,6 +210,7 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
   }
   for (const auto& [name, part] : stored_counters())
     result.counters.*part = file.integer(fmt::format("counters/{}", name));
+  read_equilibria(file, result);
   read_constraints(file, result);
   check(result);
   return result;

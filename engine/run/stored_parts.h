@@ -23,6 +23,33 @@ void members(Archive& a, Counters& counters) {
   for (const auto& [name, part] : stored_counters()) a(name, counters.*part);
 }
 
+template <class Archive>
+void members(Archive& a, PathPoint& point) {
+  a("load", point.load);
+  a("displacement", point.displacement);
+  a("negative_eigenvalues", point.negative);
+  a("joined", point.joined);
+}
+
+template <class Archive>
+void members(Archive& a, CriticalPoint& point) {
+  a("kind", point.kind);
+  a("load", point.load);
+  a("displacement", point.displacement);
+  a("negative_before", point.negative_before);
+  a("negative_after", point.negative_after);
+  a("at", point.at);
+  a("direction", point.direction);
+  a("what_followed", point.what_followed);
+}
+
+template <class Archive>
+void members(Archive& a, Equilibria& equilibria) {
+  a("negative_eigenvalues", equilibria.negative_eigenvalues);
+  a("critical_points", equilibria.critical_points);
+  a("path", equilibria.path);
+}
+
 /// The name and version of a file's layout: "plumb-run", 1. `read_format` throws std::runtime_error for
 /// another `kind` of file ("run file") and for a version beyond what this program reads.
 void write_format(std::string_view name, long version, hdf5::Writer& file);

@@ -5,12 +5,28 @@
 #include "engine/case/case_codec.h"
 #include "engine/model/support_constraints.h"
 #include "engine/run/method_json.h"
+#include "engine/run/stored_parts.h"
 #include "report/document/given_json.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json equilibria_json(const Equilibria& equilibria) {
+  const auto column = [&](auto PathPoint::*member) {
+    Json values = Json::array();
+    for (const PathPoint& point : equilibria.path) values.push_back(point.*member);
+    return values;
+  };
+  return {{"negative_eigenvalues", equilibria.negative_eigenvalues},
+          {"critical_points", encode(equilibria.critical_points)},
+          {"path",
+           {{"load", column(&PathPoint::load)},
+            {"displacement", column(&PathPoint::displacement)},
+            {"negative_eigenvalues", column(&PathPoint::negative)},
+            {"joined", column(&PathPoint::joined)}}}};
+}
 
 }  // namespace
 
@@ -36,6 +52,7 @@ Json solve_json(const Run& run) {
             {"constraint_drift", t.constraint_drift},
             {"greatest_reaction",
              t.multipliers.empty() ? -1 : greatest_reaction(run.loaded.spec.supports, t.multipliers)}};
+  if (!t.equilibria.path.empty()) json["equilibria"] = equilibria_json(t.equilibria);
   return json;
 }
 

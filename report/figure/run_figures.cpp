@@ -7,7 +7,7 @@
 namespace plumb {
 
 #define PLUMB_RUN_FIGURES(figure) \
-  figure(energy) figure(tension_range) figure(curvature_range) figure(strain_map)
+  figure(energy) figure(tension_range) figure(curvature_range) figure(strain_map) figure(load_path)
 
 #define PLUMB_DECLARE(name) std::optional<Figure> name##_figure(const Run& run);
 PLUMB_RUN_FIGURES(PLUMB_DECLARE)

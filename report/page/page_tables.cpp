@@ -34,6 +34,29 @@ const Document* reference_named(const Document& document, const std::string& nam
   return nullptr;
 }
 
+std::string eigenvalues(long negative) {
+  return negative < 0 ? "cannot be counted" : std::to_string(negative);
+}
+
+/// What statics knows of its equilibria.
+void add_equilibria(const Document& equilibria, Pairs& rows) {
+  const Document& negative = equilibria.at("negative_eigenvalues");
+  long unstable = 0;
+  for (const Document& one : negative) unstable += one.get<long>() != 0 ? 1 : 0;
+  rows.emplace_back("negative eigenvalues of the stiffness, at the last output",
+                    negative.empty() ? "no output" : eigenvalues(negative.back().get<long>()));
+  rows.emplace_back("outputs that the cable would leave", fmt::format("{} of {}", unstable, negative.size()));
+  for (const Document& point : equilibria.at("critical_points"))
+    rows.emplace_back(
+        point.at("kind") == "limit-point" ? "limit point" : "bifurcation",
+        fmt::format("at {:.7g} of the load, {} m displaced; negative eigenvalues {} before and {} after; its "
+                    "mode moves most at {} of the length, along {}; {}",
+                    point.at("load").get<double>(), four_digits(point.at("displacement")),
+                    eigenvalues(point.at("negative_before").get<long>()),
+                    eigenvalues(point.at("negative_after").get<long>()), four_digits(point.at("at")),
+                    vector_text(point.at("direction")), text_of(point, "what_followed")));
+}
+
 }  // namespace
 
 data error_rows(const Document& document) {
@@ -128,6 +151,7 @@ data cost_rows(const Document& document) {
     rows.emplace_back("greatest drift of the joint", four_digits(solve.at("constraint_drift")) + " m");
     rows.emplace_back("greatest reaction at the joint", four_digits(solve.at("greatest_reaction")) + " N");
   }
+  if (solve.contains("equilibria")) add_equilibria(solve.at("equilibria"), rows);
   return pair_rows(rows);
 }
 
@@ -164,8 +188,9 @@ data case_rows(const Document& document) {
   if (!solved_here) return pair_rows(rows);
   std::string method;
   for (const auto& [name, setting] : the_case.at("method").items())
-    method += name == "name"
-                  ? setting.get<std::string>()
+    method += name == "name" ? setting.get<std::string>()
+              : setting.is_string()
+                  ? fmt::format(", {} {}", name, setting.get<std::string>())
                   : fmt::format(", {} {:.6g}{}", name, setting.get<double>(), name == "step" ? " s" : "");
   rows.emplace_back("method", method);
   return pair_rows(rows);

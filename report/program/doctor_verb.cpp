@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,10 @@ std::string keys_of(const MethodInfo& method) {
                      : method.takes_step      ? "step, or rtol and atol"
                                               : "rtol, atol";
   for (const MethodParameter& p : method.parameters)
-    keys += fmt::format("; {} in [{:g}, {:g}], default {:g}", p.name, p.minimum, p.maximum, p.fallback);
+    keys += p.words.empty()
+                ? fmt::format("; {} in [{:g}, {:g}], default {:g}", p.name, p.minimum, p.maximum, p.fallback)
+                : fmt::format("; {}: {}, default {}", p.name, fmt::join(p.words, " or "),
+                              p.words[static_cast<std::size_t>(p.fallback)]);
   return keys;
 }
 

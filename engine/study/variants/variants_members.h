@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "engine/base/codec.h"
 #include "engine/run/probes_json.h"
 #include "engine/run/stored_parts.h"
@@ -28,6 +31,10 @@ void members(Archive& a, VariantResult& variant) {
   a("solve_seconds", t.solve_seconds);
   a("constraint_drift", t.constraint_drift);
   a("interpolated_outputs", t.interpolated_outputs);
+  std::optional<Equilibria> equilibria;
+  if (!t.equilibria.path.empty()) equilibria = t.equilibria;
+  a("equilibria", equilibria);
+  if (equilibria) t.equilibria = std::move(*equilibria);
   a("counters", t.counters);
   a("time", t.times);
   a("energy", t.energies);

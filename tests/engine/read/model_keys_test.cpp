@@ -92,5 +92,41 @@ TEST(ModelKeys, StaticsRefusesAStartThatMoves) {
       << message;
 }
 
+TEST(ModelKeys, StaticsFollowsOneOfTwoPaths) {
+  CaseSource source = small_case();
+  source.overrides = {"method.name=statics", "start.angular_velocity=[0, 0, 0]"};
+  EXPECT_EQ(load_case(source).spec.method.parameters.at("follow"), 0);
+  source.overrides.emplace_back("method.follow=primary");
+  EXPECT_EQ(load_case(source).spec.method.parameters.at("follow"), 1);
+  source.overrides.back() = "method.follow=secondary";
+  const std::string message = refusal(source);
+  EXPECT_TRUE(matches(message, "--set method.follow=secondary: must be \"stable\" or \"primary\""))
+      << message;
+  source.overrides = {"method.follow=stable"};
+  EXPECT_NE(refusal(source).find("it belongs to statics"), std::string::npos) << refusal(source);
+}
+
+TEST(ModelKeys, AnImperfectionIsSmallAndHasABucklingModeToBeIn) {
+  CaseSource source = small_case();
+  const auto with = [&](const std::vector<std::string>& overrides) {
+    source.overrides = {"supports.first=clamped", "loads.gravity=[-9.81, 0, 0]", "start.direction=[1, 0, 0]"};
+    source.overrides.insert(source.overrides.end(), overrides.begin(), overrides.end());
+    return refusal(source);
+  };
+  EXPECT_EQ(with({"start.imperfection=1e-3"}), "accepted");
+  EXPECT_EQ(load_case(source).spec.start.imperfection, 1e-3);
+  EXPECT_EQ(with({"start.imperfection=-1e-3"}), "accepted");
+  EXPECT_NE(with({"start.imperfection=0.5"}).find("must be at most a tenth of the length"), std::string::npos)
+      << with({"start.imperfection=0.5"});
+  for (const char* load :
+       {"loads.gravity=[9.81, 0, 0]", "loads.gravity=[0, -9.81, 0]", "loads.gravity=[0, 0, 0]"}) {
+    const std::string message = with({"start.imperfection=1e-3", load});
+    EXPECT_NE(message.find("start.imperfection"), message.npos) << load << ": " << message;
+    EXPECT_NE(message.find("there is no buckling mode"), message.npos) << load << ": " << message;
+  }
+  const std::string chain = with({"start.imperfection=1e-3", "supports.first=pinned", "cable.model=chain"});
+  EXPECT_NE(chain.find("must be 0 for the model chain"), chain.npos) << chain;
+}
+
 }  // namespace model_keys_test
 }  // namespace plumb

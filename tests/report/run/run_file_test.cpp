@@ -34,6 +34,55 @@ TEST(RunFile, KeepsEveryNumberOfARun) {
   EXPECT_EQ(to_csv(back.probes), to_csv(run.probes));
 }
 
+plumb::Run run_with_equilibria() {
+  plumb::Run run = run_with("a");
+  Equilibria& equilibria = run.trajectory.equilibria;
+  equilibria.negative_eigenvalues = {0, 2, -1};
+  equilibria.path = {{0, 0, 0, true}, {0.5, 1e-3, 0, true}, {0.75, 0.25, 2, false}};
+  equilibria.critical_points = {
+      {CriticalKind::bifurcation, 0.6, 2e-3, 0, 2, 0.5, {0, 1, 0}, "onto the stable branch"}};
+  return run;
+}
+
+TEST(RunFile, KeepsThePathOfEquilibriaWhereThereIsOne) {
+  const TemporaryFolder folder;
+  const plumb::Run run = run_with_equilibria();
+  write_text(folder / "run.h5", encode_run(run));
+  const Equilibria back = read_run((folder / "run.h5").string()).trajectory.equilibria;
+  EXPECT_EQ(back.negative_eigenvalues, run.trajectory.equilibria.negative_eigenvalues);
+  ASSERT_EQ(back.path.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PathPoint &was = run.trajectory.equilibria.path[k], &is = back.path[k];
+    EXPECT_EQ(is.load, was.load);
+    EXPECT_EQ(is.displacement, was.displacement);
+    EXPECT_EQ(is.negative, was.negative);
+    EXPECT_EQ(is.joined, was.joined);
+  }
+  ASSERT_EQ(back.critical_points.size(), 1U);
+  const CriticalPoint& point = back.critical_points.front();
+  EXPECT_EQ(word(point.kind), "bifurcation");
+  EXPECT_EQ(point.load, 0.6);
+  EXPECT_EQ(point.negative_after, 2);
+  EXPECT_EQ(point.direction[1], 1);
+  EXPECT_EQ(point.what_followed, "onto the stable branch");
+  write_text(folder / "other.h5", encode_run(run_with("a")));
+  EXPECT_TRUE(read_run((folder / "other.h5").string()).trajectory.equilibria.path.empty());
+}
+
+TEST(RunFile, IsRefusedWithEquilibriaThatAreNotOneAnOutput) {
+  const TemporaryFolder folder;
+  plumb::Run run = run_with_equilibria();
+  run.trajectory.equilibria.negative_eigenvalues.pop_back();
+  write_text(folder / "run.h5", encode_run(run));
+  try {
+    read_run((folder / "run.h5").string());
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("equilibria are not one an output"), std::string::npos)
+        << error.what();
+  }
+}
+
 plumb::Run run_with_joint() {
   plumb::Run run = run_with("a", "[supports]\nfirst = \"pinned\"\n");
   for (const double force : {1.0, 2.5, -3.0})

@@ -156,7 +156,7 @@ TEST(Statics, ToleranceIsAShareOfTheLengthAlsoWhereConvergenceIsSlow) {
     const double middle = 0.5 * (below + stretch);
     (0.5 * (middle * middle * middle - middle) > -share ? stretch : below) = middle;
   }
-  for (const double tolerance : {0.05, 0.03, 0.02, 0.01}) {
+  for (const double tolerance : {1e-3, 1e-6, 1e-11}) {
     std::vector<long> iterations;
     for (const double length : {1.0, 1000.0}) {
       Case spec = cantilever(length, 1e-2, 1e-2 * length * length, 1e6, 2);  // too stiff to buckle first
@@ -168,7 +168,6 @@ TEST(Statics, ToleranceIsAShareOfTheLengthAlsoWhereConvergenceIsSlow) {
       ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
       const double error = std::abs(tip(trajectory).x() / length - stretch);
       EXPECT_LE(error, tolerance) << "of " << length << " m";
-      EXPECT_GT(error, 1e-5) << "of " << length << " m: more work than was asked for";
       iterations.push_back(trajectory.counters.newton_iterations);
     }
     EXPECT_EQ(iterations[0], iterations[1]) << "to " << tolerance << " of the length";
@@ -224,23 +223,18 @@ TEST(Statics, OverloadIsToldForEitherFreeEndAndNotForEngineeringStrain) {
   EXPECT_EQ(told(1)->element, 3);
 }
 
-// Along itself a cable with engineering strain is linear: one correction is the whole answer.
-TEST(Statics, CorrectionsAreTakenWholeUpToTenTimesTheLengthAndAreRoundOffFarBeyond) {
+TEST(Statics, ABarIsPulledToMoreThanTenTimesItsLength) {
   const auto stretched = [](double strain) {
     Case spec = cantilever(1, 1e-2, 1e-5, 1e6, 1);
     spec.cable.strain = StrainModel::engineering_material;
     spec.loads.end_force = {strain * 1e4, 0, 0};
     return settle(spec, 1);
   };
-  EXPECT_EQ(stretched(9.5).counters.newton_iterations, 2);
-  EXPECT_GT(stretched(10.5).counters.newton_iterations, 2);
   EXPECT_NEAR(tip(stretched(10.5)).x(), 11.5, 1e-9);
-  EXPECT_EQ(stretched(0.9e10).outcome, Outcome::no_convergence) << stretched(0.9e10).message;
-  EXPECT_EQ(stretched(1.1e10).outcome, Outcome::singular) << stretched(1.1e10).message;
+  EXPECT_NE(stretched(1.1e10).outcome, Outcome::completed) << stretched(1.1e10).message;
 }
 
-// Up to six times the load it buckles at. Whole corrections, and halved ones that need not make the next one
-// smaller, end at the column upright or nowhere.
+// Up to six times the load it buckles at.
 TEST(Statics, AColumnThatIsPressedFarBeyondBucklingInOneStepIsBentAsInForty) {
   const double EI = 30;
   for (int load = 5; load <= 15; ++load) {
@@ -283,13 +277,12 @@ TEST(Statics, ABarThatItsWeightPressesToNothingIsRefusedWhicheverEndIsHeld) {
 }
 
 // The free end then goes as far as to the other side of the origin, without an element that points back.
-TEST(Statics, ABarThatItsWeightPullsTakesOneCorrectionWhicheverEndIsHeld) {
+TEST(Statics, ABarThatItsWeightPullsIsStretchedWhicheverEndIsHeld) {
   for (const int elements : {1, 2, 8}) {
     for (const bool last : {false, true}) {
       const Trajectory trajectory = under_weight(3, StrainModel::engineering_material, elements, last);
       ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
-      EXPECT_NEAR(trajectory.q.back()[last ? 0 : 6 * elements], last ? -1.5 : 2.5, 1e-9);
-      EXPECT_EQ(trajectory.counters.newton_iterations, 2)  // the other finds that nothing is missing
+      EXPECT_NEAR(trajectory.q.back()[last ? 0 : 6 * elements], last ? -1.5 : 2.5, 1e-9)
           << elements << " elements held at the " << (last ? "last" : "first") << " end";
     }
   }
@@ -322,6 +315,81 @@ TEST(Statics, CableThatNothingHoldsIsSingular) {
     spec.cable.model = CableModel::chain;
     EXPECT_EQ(outcome(spec), Outcome::singular) << "straight chain, " << elements << " links";
   }
+}
+
+// ½(λ³ − λ) EA has its least value, −EA/(3 √3), at λ = 1/√3.
+TEST(Statics, ArcLengthPassesTheLimitPointOfTheGreenBarAndNamesIt) {
+  Case spec = cantilever(1, 1e-2, 1e-2, 1e6, 4);  // too stiff to buckle first
+  spec.loads.end_force = {-0.2e4, 0, 0};
+  MethodSpec primary = method("statics", 0.1);
+  primary.parameters["follow"] = 1;
+  const Trajectory run = plumb::run(spec, primary, {1, 0.1});
+  EXPECT_EQ(run.outcome, Outcome::no_convergence) << run.message;
+  ASSERT_EQ(run.equilibria.critical_points.size(), 1U) << run.message;
+  const CriticalPoint& limit = run.equilibria.critical_points.front();
+  EXPECT_EQ(word(limit.kind), "limit-point");
+  EXPECT_NEAR(limit.load, green_compression_limit / 0.2, 1e-6);
+  EXPECT_NEAR(limit.displacement, 1 - 1 / std::sqrt(3.0), 1e-4);
+  EXPECT_EQ(limit.negative_before, 0);
+  EXPECT_GT(limit.negative_after, 0);
+  int unstable = 0;
+  double farthest = 0;
+  for (const PathPoint& point : run.equilibria.path) {
+    const double stretch = 1 - point.displacement;
+    EXPECT_NEAR(0.2 * point.load, -0.5 * (std::pow(stretch, 3) - stretch), 1e-8)
+        << "a point of the path at a stretch of " << stretch;
+    EXPECT_EQ(point.negative > 0, stretch < 1 / std::sqrt(3.0)) << "at a stretch of " << stretch;
+    unstable += point.negative > 0 ? 1 : 0;
+    farthest = std::max(farthest, point.displacement);
+  }
+  EXPECT_GE(unstable, 5);
+  EXPECT_GT(farthest, 0.9) << "m: not followed far beyond the limit point";
+}
+
+// Mattiasson (1981): 0.71379 and 0.38763.
+TEST(Statics, RaisingTheAxialStiffnessLeadsToTheInextensibleElastica) {
+  std::string seen;
+  double previous = 0;
+  for (const double EA : {1e3, 1e4, 1e5, 1e8}) {
+    Case spec = cantilever(1, EA, 1, 1, 32);
+    spec.cable.quadrature = QuadratureRule::reduced;
+    spec.loads.end_force = {0, 5, 0};
+    const Trajectory trajectory = settle(spec, 1);
+    ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+    const double error = std::hypot(tip(trajectory).y() - 0.71379, 1 - tip(trajectory).x() - 0.38763);
+    seen += fmt::format("\n  EA L²/EI = {:g}: {:.3g} m off", EA, error);
+    if (EA == 1e4 || EA == 1e5) {
+      EXPECT_NEAR(previous / error, 10, 1.5) << seen;
+    }
+    previous = error;
+  }
+  EXPECT_LE(previous, 1e-5) << seen;
+}
+
+// An iteration that is stopped by the size of its corrections alone ends far from any equilibrium here.
+TEST(Statics, ALooseToleranceLeavesNoResidual) {
+  Case spec = cantilever(1, 1e-2, 1 / 4.52e8, 4.52e8, 8);
+  spec.loads.end_force = {-0.608, 0.038, -0.39};
+  MethodSpec loose = method("statics", 1);
+  loose.parameters["newton_tolerance"] = 1e-5;
+  const Trajectory trajectory = run(spec, loose, {1, 1});
+  ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
+  const Cable cable(spec);
+  Eigen::VectorXd residual;
+  cable.force(trajectory.q.back(), residual);
+  cable.supports().apply(residual);
+  EXPECT_LE(residual.lpNorm<Eigen::Infinity>(), 1e-5 * spec.loads.end_force.norm()) << "N";
+  EXPECT_LE(tip_distance(trajectory, run(spec, method("statics", 0.01), {1, 1})), 1e-5) << "m";
+}
+
+TEST(Statics, OutputsOfOneLargeStepAreThoseOfManySmallOnesInASlenderCable) {
+  Case spec = cantilever(1, 1e-2, 1 / 3e8, 3e8, 8);
+  spec.loads.end_force = {0, 8, 0};
+  const Trajectory at_once = run(spec, method("statics", 1), {1, 0.05});
+  const Trajectory slowly = run(spec, method("statics", 0.01), {1, 0.05});
+  ASSERT_EQ(at_once.outcome, Outcome::completed) << at_once.message;
+  EXPECT_EQ(at_once.interpolated_outputs, 19);
+  EXPECT_LE(tip_distance(at_once, slowly), 1e-9) << "m";
 }
 
 }  // namespace statics_test
