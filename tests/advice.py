@@ -47,7 +47,7 @@ def solve(plumb, text):
 def drawn(draw, by_step, implicit):
     f = math.exp(draw.uniform(math.log(0.5), math.log(20)))
     end = draw.choice([0.5, 1, 2, 3])
-    step = math.exp(draw.uniform(math.log(2e-3), math.log(0.1))) if implicit else math.exp(
+    step = math.exp(draw.uniform(math.log(2e-3), math.log(0.4))) if implicit else math.exp(
         draw.uniform(math.log(1e-4), math.log(5e-3)))
     return {"area": 1e-6 * f**2, "density": 8000 / f**2, "E": 1e9 / f**4, "elements": draw.choice([2, 4, 8, 16]),
             "end": end, "interval": end / 10, "keys": f"step = {step:.3g}" if by_step else

@@ -87,21 +87,21 @@ TEST(MethodOrder, ErrorControlledMethodsKeepTheirToleranceToAFactor) {
     }
 }
 
-// A controlled step of a method of order p makes the error shrink as its tolerance to the power p/(p + 1).
+// Held to the tolerance over the whole run, errors shrink as it does.
 TEST(MethodOrder, ControlledStepsOfStructuralMethodsKeepTheirTolerance) {
   for (const char* name :
        {"trapezoidal", "hht", "generalized-alpha", "implicit-midpoint", "energy-momentum"}) {
     std::string seen = name;
     double coarse = 0;
-    for (const double tolerance : {1e-5, 1e-8}) {
+    for (const double tolerance : {1e-4, 1e-6}) {
       const Trajectory trajectory = run(pendulum(5, 4), method(name, {}, tolerance), half_second);
       ASSERT_EQ(trajectory.outcome, Outcome::completed) << trajectory.message;
       const double error = tip_distance(trajectory, reference());
       seen += fmt::format("\n  rtol {:g}: tip error {:.3g} m in {} steps", tolerance, error,
                           trajectory.counters.steps);
-      EXPECT_LE(error, 3e3 * tolerance) << seen;
+      EXPECT_LE(error, 10 * tolerance) << seen;
       if (coarse > 0) {
-        EXPECT_NEAR(std::log10(coarse / error), 2, 0.6) << seen;
+        EXPECT_NEAR(std::log10(coarse / error), 2, 0.3) << seen;
       }
       coarse = error;
     }

@@ -88,7 +88,7 @@ TEST(Sweep, ARunIsRepeatedAloneByItsNumberOrItsOverrides) {
     EXPECT_EQ(again.second_error, run.second_error);
     CaseSource source = loaded.source;
     source.overrides = run.overrides;
-    const Trajectory alone = integrate(load_case(source).spec);
+    const Trajectory alone = integrate(load_case(source).spec, {}, sweep.spec.time_limit);
     EXPECT_EQ(alone.message, run.message);
     ++compared;
   }
