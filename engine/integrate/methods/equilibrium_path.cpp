@@ -115,7 +115,7 @@ StepResult EquilibriumPath::correct(const Eigen::VectorXd& normal, double normal
     if (const auto element = loaded_.residual(node.q, node.share, residual_))
       return LoadedCable::collapsed(*element);
   }
-  return not_converged(correction, tolerance);
+  return not_converged(correction, tolerance, loaded_.cable().length());
 }
 
 EquilibriumPath::Attempt EquilibriumPath::attempt(const Node& from, double step, Node& to) {

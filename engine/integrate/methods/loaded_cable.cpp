@@ -126,7 +126,7 @@ StepResult LoadedCable::settle(Eigen::VectorXd& q, double share, int iterations)
     q += change_;
     if (const auto element = residual(q, share, residual_)) return collapsed(*element);
   }
-  return not_converged(correction, tolerance_);
+  return not_converged(correction, tolerance_, cable().length());
 }
 
 bool LoadedCable::has_converged(double correction, double last, const Eigen::VectorXd& residual, double share,
