@@ -61,7 +61,7 @@ TEST(FieldFigures, SayWhereTheGreatestTensionIsAndWhen) {
   // EA is 1 N. In the middle of the only element, of 2 m, the slope is (1, -0.75 t²): a strain of 0.28125 at
   // 1 s.
   const Figure figure = figure_of(field_figures(run_with("a")), "tension_range");
-  EXPECT_NE(figure.alt.find("The greatest is 0.2812 N, 1 m from the first end, at 1 s"), std::string::npos)
+  EXPECT_NE(figure.alt.find("The greatest is 0.3516 N, 1 m from the first end, at 1 s"), std::string::npos)
       << figure.alt;
 }
 

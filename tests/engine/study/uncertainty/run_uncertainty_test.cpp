@@ -204,7 +204,7 @@ TEST(AssessmentFile, OfAnotherRunOrDamagedIsRefused) {
            {refused(changed("\"version\": 1", "\"version\": 2"), run),
             "its version is 2, this program reads up to 1"},
            {refused(changed("\"mid.y\"", "\"mid.x\""), run), "book: mid.x is not compared"},
-           {refused(changed("not estimated", "not imagined"), run), "\"not imagined\" is unknown"},
+           {refused(changed("not estimated", "not imagined"), run), "'not imagined' is no word for it"},
        })
     EXPECT_NE(message.find(says), std::string::npos) << message << "\n" << says;
 }
