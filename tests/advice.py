@@ -26,7 +26,7 @@ method = {{ name = "{name}", {keys} }}
 time = {{ end = {end}, output_interval = {interval} }}
 probe = [{{ name = "tip", at = 1, quantity = "position" }}]
 """
-METHOD = re.compile(r"(?:(?P<other>[a-z0-9-]+) with )?(?:a step (?P<below>below|of) (?P<step>\S+) s|rtol = (?P<rtol>\S+))"
+METHOD = re.compile(r"(?:(?P<other>[a-z0-9-]+) with )?(?:a step (?P<below>below|of) (?P<step>\S+) s|rtol = (?:atol = )?(?P<rtol>\S+))"
                     r" \(tried")
 NEWTON = re.compile(r"newton_iterations of (\d+) as by default \(tried")
 

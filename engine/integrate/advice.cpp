@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/case/case.h"
@@ -15,12 +17,17 @@
 namespace plumb {
 namespace {
 
-/// "0.00104 s": a number of three digits that is not above x.
-std::string seconds_below(double x) {
+/// The greatest number of three digits that is not above x.
+double three_digits_below(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 2);
   // What is three digits already must not lose one to round-off.
   constexpr double round_off = 1e-9;
-  return fmt::format("{:.3g} s", std::floor(x / unit * (1 + round_off)) * unit);
+  return std::floor(x / unit * (1 + round_off)) * unit;
+}
+
+/// "0.00104 s".
+std::string seconds_below(double x) {
+  return fmt::format("{:.3g} s", three_digits_below(x));
 }
 
 /// ω of the fastest vibration of the states that can be believed: the start, and outputs before the energy
@@ -91,18 +98,36 @@ class Adviser {
   struct Candidate {
     std::string words;
     MethodSpec method;
+    /// Must run as well, as what is below a step that serves does not always.
+    std::optional<double> second_step = {};
+    /// Of a series that is tried one after another, what has been tried with this one: "steps down to",
+    /// before the setting; empty: of no series.
+    std::string series = {};
+    std::string setting = {};
   };
 
   /// The first candidate that runs; where none does, what was tried.
   std::string tried(Outcome outcome) const {
-    std::string names;
-    for (const Candidate& candidate : candidates(outcome)) {
-      if (const std::string reached = attempt_(candidate.method); !reached.empty())
+    std::vector<Candidate> in_vain;
+    for (Candidate& candidate : candidates(outcome)) {
+      std::string reached = attempt_(candidate.method);
+      if (!reached.empty() && candidate.second_step) {
+        candidate.method.step = candidate.second_step;
+        reached = attempt_(candidate.method);
+      }
+      if (!reached.empty())
         return fmt::format("{} (tried {}){}", candidate.words, reached,
                            grows_beyond_a_step() ? ", or an implicit method" : "");
-      names += (names.empty() ? "" : ", ") + candidate.words;
+      // The last of a series stands for all.
+      if (!in_vain.empty() && !candidate.series.empty() && in_vain.back().series == candidate.series)
+        in_vain.pop_back();
+      in_vain.push_back(std::move(candidate));
     }
-    return fmt::format("{}; what was tried and did not: {}",
+    std::string names;
+    for (const Candidate& candidate : in_vain)
+      names += (names.empty() ? "" : ", ") +
+               (candidate.series.empty() ? candidate.words : candidate.series + " " + candidate.setting);
+    return fmt::format("{}; tried in vain: {}",
                        outcome == Outcome::singular ? "more elements, or less compression"
                                                     : "more elements, or another method",
                        names);
@@ -127,14 +152,16 @@ class Adviser {
 
   void add_steps(std::vector<Candidate>& result) const {
     constexpr int most_halvings = 7;
-    // A step below the one that is named must serve, and not it itself.
-    constexpr double below = 0.95;
+    // Steps below the one that is named must serve, and not it itself.
+    constexpr double below = 0.95, far_below = 0.7;
     double step = 0.5 * *method_.step;
     if (grows_beyond_a_step())
       if (const double longest = longest_step(); longest < *method_.step) step = longest;
     for (int halvings = 0; halvings < most_halvings; ++halvings, step *= 0.5) {
-      result.push_back({"a step below " + seconds_below(step), method_});
-      *result.back().method.step = below * step;
+      const std::string setting = seconds_below(step);
+      const double named = three_digits_below(step);
+      result.push_back({"a step below " + setting, method_, far_below * named, "steps down to", setting});
+      *result.back().method.step = below * named;
     }
   }
 
@@ -142,9 +169,14 @@ class Adviser {
     constexpr double loosest = 1e-2, tightest = 1e-12;
     const auto add = [&](double factor) {
       for (double rtol = *method_.rtol * factor; rtol <= loosest && rtol >= tightest; rtol *= factor) {
-        result.push_back({fmt::format("rtol = {:.1g}", rtol), method_});
+        const std::string setting = fmt::format("{:.1g}", rtol);
+        result.push_back({(*method_.rtol == *method_.atol ? "rtol = " : "rtol = atol = ") + setting,
+                          method_,
+                          {},
+                          factor > 1 ? "rtol up to" : "rtol down to",
+                          setting});
         // As it is written.
-        result.back().method.rtol = result.back().method.atol = std::stod(fmt::format("{:.1g}", rtol));
+        result.back().method.rtol = result.back().method.atol = std::stod(setting);
       }
     };
     const double first = outcome == Outcome::no_convergence ? 10 : 0.1;

@@ -177,7 +177,9 @@ class Gauss : public OneStepMethod {
       }
       if (!std::isfinite(correction.metres)) break;
       const double rate = before > 0 ? correction.metres / before : 1;
-      if (left_after(correction.metres, before, renew) <= tolerance_) return {};
+      if (left_after(correction.metres, before, renew) <= tolerance_ ||
+          is_round_off(correction.metres, before, cable.length()))
+        return {};
       renew = old && before > 0 && rate > slow_stages;
       if (old && before > 0 && rate > stages_astray) {
         x_ = guess_;

@@ -19,7 +19,7 @@ MethodEntry implicit_euler_entry() {
   info.summary = "Euler's implicit method";
   info.source = "Hairer and Wanner 1996, section IV.3";
   info.order = "1";
-  info.rtol = 1e-3;
+  info.rtol = 1e-2;
   info.use = "to reach a state of rest; damps strongly";
   return structural_entry(info, implicit_euler_scheme);
 }

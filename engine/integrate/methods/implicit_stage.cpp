@@ -14,8 +14,6 @@ namespace {
 constexpr double slow = 0.15;
 /// Contraction above which the old matrix leads astray, and the step begins anew.
 constexpr double astray = 1;
-/// Corrections of this share of the cable's length that do not get smaller are round-off.
-constexpr double round_off_share = 1e-14;
 
 }  // namespace
 
@@ -34,7 +32,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   const auto metres = [&](const StageCorrection& correction) {
     return position * std::max(correction.position, cable.element().length() * correction.slope);
   };
-  const double allowed = std::min(tolerance_, leftover), round_off = round_off_share * cable.length();
+  const double allowed = std::min(tolerance_, leftover);
   x.resize(dynamics_.size());
   double before = 0;  // size of the correction before this one
   for (int i = 0; i < iterations_; ++i) {
@@ -62,8 +60,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
     const double size = metres(correction);
     if (size == 0) return {};
     const double rate = before > 0 ? size / before : 1;
-    if (left_after(size, before, renew) <= allowed) return {};
-    if (before > 0 && rate > slow && size <= round_off) return {};
+    if (left_after(size, before, renew) <= allowed || is_round_off(size, before, cable.length())) return {};
     renew = before > 0 && rate > slow;
     if (old && before > 0 && rate > astray && i + 1 < iterations_) {
       terms.from = stage.from;

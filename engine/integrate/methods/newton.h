@@ -65,6 +65,12 @@ inline double left_after(double size, double before, bool fresh) {
   return rate < 1 ? size * std::max(growth, rate / (1 - rate)) : std::numeric_limits<double>::infinity();
 }
 
+/// Whether a correction of that size, m, after one of `before`, is round-off, which gets no smaller.
+inline bool is_round_off(double size, double before, double cable_length) {
+  constexpr double share = 3e-14, contracts = 0.15;
+  return before > 0 && size > contracts * before && size <= share * cable_length;
+}
+
 /// The outcome of an iteration whose last correction was this, with `tolerance` and the cable's length in m.
 inline StepResult not_converged(const CorrectionSize& correction, double tolerance, double length) {
   return {Outcome::no_convergence,

@@ -82,7 +82,7 @@ MethodInfo structural_info(Scheme /*scheme*/) {
   info.implicit = true;
   info.takes_step = true;
   info.takes_tolerances = true;
-  info.rtol = 1e-6;
+  info.rtol = 1e-5;
   info.parameters = newton_parameters();
   info.cost = {1000, 1500};
   info.amplification = [](const MethodSpec& spec, double z) {

@@ -15,9 +15,11 @@ CvodeMethod::CvodeMethod(int family, const MethodSpec& spec, Dynamics& dynamics,
   if (!cvode_) throw std::bad_alloc();
   CVodeInit(cvode(), right_hand_side, start.t, y());
   CVodeSetUserData(cvode(), static_cast<LibraryMethod*>(this));
-  CVodeSVtolerances(cvode(), *spec.rtol, absolute_tolerances(*spec.atol).get());
+  const int highest_order = static_cast<int>(spec.parameters.at("max_order"));
+  const double share = multistep_share(*spec.rtol, highest_order);
+  CVodeSVtolerances(cvode(), share * *spec.rtol, absolute_tolerances(share * *spec.atol).get());
   CVodeSetErrHandlerFn(cvode(), keep_message, &message());
-  CVodeSetMaxOrd(cvode(), static_cast<int>(spec.parameters.at("max_order")));
+  CVodeSetMaxOrd(cvode(), highest_order);
 }
 
 long CvodeMethod::rejected_steps() const {

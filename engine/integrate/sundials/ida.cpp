@@ -41,8 +41,9 @@ class Ida : public sundials::LibraryMethod {
  private:
   Ida(const MethodSpec& spec, Dynamics& dynamics, const State& start, const SupportConstraints& constraints)
       : LibraryMethod(dynamics, start, (spec.parameters.at("stabilised") != 0 ? 2 : 1) * constraints.count()),
-        rtol_(*spec.rtol),
-        absolute_(absolute_tolerances(*spec.atol)),
+        share_(sundials::multistep_share(*spec.rtol, static_cast<int>(spec.parameters.at("max_order")))),
+        rtol_(share_ * *spec.rtol),
+        absolute_(absolute_tolerances(share_ * *spec.atol)),
         constraints_(constraints),
         stabilised_(spec.parameters.at("stabilised") != 0),
         held_(constraints.apply(start.q)),
@@ -151,7 +152,7 @@ class Ida : public sundials::LibraryMethod {
 
   void dense_output(double t, N_Vector to) const override { IDAGetDky(ida_.get(), t, 0, to); }
 
-  double rtol_;
+  double share_, rtol_;
   sundials::Vector absolute_;
   SupportConstraints constraints_;
   bool stabilised_;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 #include <string_view>
 
@@ -69,6 +71,11 @@ Vector make_vector(Eigen::Index size, const Context& context) {
 
 Eigen::Map<Eigen::VectorXd> part(N_Vector y, Eigen::Index first, Eigen::Index count) {
   return {N_VGetArrayPointer(y) + first, count};
+}
+
+double multistep_share(double rtol, int highest_order) {
+  constexpr double loose = 1e-4;  // few steps beyond those that the motion itself takes
+  return std::min(1.0, std::pow(rtol / loose, 1.0 / highest_order));
 }
 
 void keep_message(int code, const char*, const char*, char* message, void* data) {

@@ -43,6 +43,11 @@ inline Eigen::Map<Eigen::VectorXd> v_of(N_Vector y, Eigen::Index n) {
   return part(y, n, n);
 }
 
+/// The factor by which tolerances are made tighter for multistep formulas of up to that order. They keep the
+/// error of each step to it, of which there are the more the tighter it is, and errors add up: left alone
+/// they would shrink as the tolerance to the power order/(order + 1).
+double multistep_share(double rtol, int highest_order);
+
 /// Takes the library's error messages instead of standard error; `data` is a std::string.
 void keep_message(int code, const char* module, const char* function, char* message, void* data);
 

@@ -136,6 +136,19 @@ TEST(Advice, SuitsTheMethodAndTheOutcome) {
     }
 }
 
+// A slope that has collapsed at the start is no fault of a setting.
+TEST(Advice, SaysWhatWasTriedInVain) {
+  const Case spec = pendulum(5, 4);
+  const Cable cable(spec);
+  State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
+  start.q.segment<3>(6 * 2 + 3).setZero();
+  const Trajectory by_step = integrate(cable, start, method("generalized-alpha", 1e-3), {0.1, 0.1});
+  expect_part(by_step.message, "tried in vain: steps down to ");
+  expect_part(by_step.message, "energy-momentum with a step of 0.001 s");
+  const Trajectory by_tolerance = integrate(cable, start, method("cvode-bdf", {}, 1e-6), {0.1, 0.1});
+  expect_part(by_tolerance.message, "tried in vain: rtol down to 1e-12, rtol up to 0.01, ");
+}
+
 // A run whose time is limited is one of many, as in a study, and must not start others.
 TEST(Advice, OfARunWithALimitIsNotTried) {
   Case spec = pendulum(1, 4);

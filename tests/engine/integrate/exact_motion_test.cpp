@@ -23,7 +23,7 @@ class EveryMethod : public testing::TestWithParam<Use> {
  protected:
   MethodSpec spec_of(const MethodInfo& with, double step, double tolerance) const {
     // Tighter ones would take methods of low order millions of steps.
-    const double tightest = with.family == MethodFamily::structural ? 0.1 * with.rtol : 0;
+    const double tightest = with.family == MethodFamily::structural ? 0.01 * with.rtol : 0;
     return GetParam().by_step ? method(with.name, step)
                               : method(with.name, {}, std::max(tolerance, tightest));
   }

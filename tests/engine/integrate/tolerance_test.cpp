@@ -64,7 +64,7 @@ TEST(ErrorControl, OfMethodsOfLowOrderKeepsTheWholeRunWithinItsTolerance) {
   for (const MethodInfo& info : method_infos()) {
     if (info.family != MethodFamily::structural || !info.takes_tolerances) continue;
     for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
-      if (tolerance < 0.1 * info.rtol) continue;  // too much work for a test
+      if (tolerance < 0.01 * info.rtol) continue;  // too much work for a test
       const Trajectory trajectory = run(pendulum(5, 4), method(info.name, {}, tolerance), half_second);
       ASSERT_EQ(trajectory.outcome, Outcome::completed) << info.name << ": " << trajectory.message;
       const double error = tip_distance(trajectory, reference);

@@ -33,6 +33,23 @@ TEST(TrajectoryDivergence, OfTheStiffPendulumIsFast) {
   EXPECT_NE(divergence.in_words.find("only energies"), std::string::npos) << divergence.in_words;
 }
 
+TEST(TrajectoryDivergence, DoesNotDependOnTheSizeOfThePendulum) {
+  Case metres = pendulum(1, 4), nanometres = metres;
+  metres.time.end = nanometres.time.end = 1.5;
+  const double L = std::exp2(-27);
+  nanometres.cable.length *= L;
+  nanometres.cable.area *= L * L;
+  nanometres.cable.second_moment *= L * L * L * L;
+  nanometres.cable.density /= L * L * L;
+  nanometres.cable.youngs_modulus /= L;
+  nanometres.loads.gravity *= L;
+  const TrajectoryDivergence large = plumb::divergence(metres, 1, tolerance);
+  const TrajectoryDivergence small = plumb::divergence(nanometres, 1, tolerance * L);
+  EXPECT_GT(large.horizon, 1);
+  EXPECT_NEAR(small.horizon, large.horizon, 1e-9);
+  EXPECT_NEAR(small.exponent, large.exponent, 0.01 * large.exponent) << small.in_words;
+}
+
 TEST(TrajectoryDivergence, OfTheSoftPendulumIsSlow) {
   const TrajectoryDivergence divergence = plumb::divergence(pendulum(5, 4), 5, tolerance);
   EXPECT_TRUE(divergence.beyond_end);
