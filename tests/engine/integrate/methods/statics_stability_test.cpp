@@ -216,6 +216,34 @@ TEST(StaticsStability, AnImperfectStartIsHeldUnloadedAndSaysToWhichSideTheColumn
   }
 }
 
+// Bent to one side by its imperfect start, it comes under a load across to the other, which grows: where that
+// prevails the column swings about its axis to the other side. There the branch that it swings along ends,
+// and damped motion takes it over.
+TEST(StaticsStability, AColumnIsTakenToTheOtherSideWhereNoEquilibriumIsNear) {
+  std::optional<Vec3> first;
+  for (const double step : {1.0, 0.1}) {
+    Case spec = column(1.3, 8);
+    const double tip_load = 3 * youngs_modulus * second_moment / (length * length);
+    spec.start.imperfection = 0.02 * length;
+    spec.loads.end_force.y() = -0.02 * tip_load / 0.82;
+    const Trajectory run = plumb::run(spec, method("statics", step), {1, 0.1});
+    ASSERT_EQ(run.outcome, Outcome::completed) << outcome_of(run);
+    EXPECT_GT(tip(run, 8).y() / length, 0.1) << "at 0.8 of the load";
+    EXPECT_LT(tip(run, 9).y() / length, -0.1) << "at 0.9 of it";
+    ASSERT_FALSE(run.equilibria.critical_points.empty());
+    EXPECT_NEAR(run.equilibria.critical_points.front().load, 0.815, 0.02);
+    bool over = false, said = false;
+    for (const CriticalPoint& point : run.equilibria.critical_points)
+      said = said || point.what_followed.find("damped motion leads to another one") != std::string::npos;
+    for (const PathPoint& point : run.equilibria.path) over = over || !point.joined;
+    EXPECT_TRUE(said && over) << said << over;
+    for (std::size_t k = 0; k < run.q.size(); ++k)
+      EXPECT_EQ(run.equilibria.negative_eigenvalues.at(k), 0) << "at output " << k;
+    if (!first) first = tip(run);
+    EXPECT_LE((tip(run) - *first).norm(), 1e-8 * length) << "m";
+  }
+}
+
 TEST(StaticsStability, ACableThatHangsSagsOrIsPulledCompletes) {
   const auto outcome = [](Case spec, const Vec3& direction, const SupportsSpec& supports) {
     spec.start.direction = direction;
