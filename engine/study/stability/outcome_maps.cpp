@@ -106,7 +106,8 @@ class Maps {
     }
     std::vector<StudyPoint<PredictedLimit>> points;
     for (const auto& [variant, motion] : asked)
-      points.push_back({fmt::format("{}, {}", variant->label, motion->in_words()), [this, variant, motion] {
+      points.push_back({fmt::format("{}, {}", variant->label, motion->in_words()),
+                        [this, variant = variant, motion = motion] {
                           return predicted_limit(
                               variant->method, Cable(motion->spec), until(motion->trajectory, end_),
                               motion->summary.frequency_at_start, motion->summary.frequency_at_worst);
