@@ -19,7 +19,7 @@ constexpr double first_step = 0.02, longest_step = 0.1, shortest_step = 1e-9;
 /// Largest error left of the points of the path, as a fraction of the length.
 constexpr double path_tolerance = 1e-9;
 /// Steps of the path, tried or taken, in a run.
-constexpr long most_attempts = 100'000;
+constexpr long most_attempts = 20'000;
 /// To which the load of a critical point is found, as a share of the whole load.
 constexpr double critical_width = 1e-7;
 /// Of the step, within which a limit point is found: its load is better than that by its square.
@@ -93,8 +93,11 @@ StepResult EquilibriumPath::correct(const Eigen::VectorXd& normal, double normal
     return LoadedCable::collapsed(*element);
   for (iterations = 0; iterations <= iterations_; ++iterations) {
     if (const auto at = loaded_.factor(node.q)) return loaded_.singular(*at);
-    if (iterations > 0 && loaded_.has_converged(correction.metres, last, residual_, node.share, tolerance))
+    if (iterations > 0 && loaded_.has_converged(correction.metres, last, residual_, node.share, tolerance)) {
+      // What round-off takes says nothing of the path.
+      if (correction.metres > tolerance) iterations = std::min(iterations, most_corrections);
       return {};
+    }
     last = iterations > 0 ? correction.metres : std::numeric_limits<double>::infinity();
     by_residual_ = residual_;
     by_load_ = loaded_.load();

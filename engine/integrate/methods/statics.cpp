@@ -160,7 +160,7 @@ MethodEntry statics_entry() {
   info.implicit = true;
   info.dynamic = false;
   info.takes_step = true;
-  info.cost = {3000, 8000};
+  info.cost = {6000, 20000};
   info.parameters = newton_parameters();
   MethodParameter follow;
   follow.name = "follow";
