@@ -63,7 +63,7 @@ class Search {
 
   Economy result() {
     const auto started = std::chrono::steady_clock::now();
-    if (parts_within_the_run()) {
+    if (cannot_be_known()) {
       choose_safe();
     } else {
       refine();
@@ -100,17 +100,22 @@ class Search {
 
   static bool completed(const Member& member) { return member.tried.outcome == Outcome::completed; }
 
-  /// True where neighbours that nobody could tell from one another part so far before the end that no picture
-  /// can be known up to there: no mesh would settle it. Says so.
-  bool parts_within_the_run() {
+  /// True where no mesh would settle what the picture shows: the cable stays where it is for want of a
+  /// disturbance, or neighbours that nobody could tell from one another part before the end. Says so.
+  bool cannot_be_known() {
     constexpr int elements = 8;
     constexpr double share_of_length = 0.1;
     const Candidate follower = cable_candidate(spec_, elements);
     constexpr double evaluations = 2 * 12;  // two motions, steps of order 8
     if (evaluations * follower.work > result_.safe_work) return false;
     result_.search_work += evaluations * follower.work;
-    const TrajectoryDivergence parted =
-        divergence(with_candidate(spec_, follower), 0, share_of_length * spec_.cable.length);
+    const Case followed = with_candidate(spec_, follower);
+    unstable_ = integrate(followed).remark();
+    if (!unstable_.empty()) {
+      say_what_is_uncertain();
+      return true;
+    }
+    const TrajectoryDivergence parted = divergence(followed, 0, share_of_length * spec_.cable.length);
     if (parted.times.empty() || parted.beyond_end) return false;
     result_.uncertain =
         fmt::format("where the cable is after {:.3g} s: the motion is beyond its predictability horizon: {}",
@@ -347,8 +352,9 @@ class Search {
   void choose_safe() {
     TriedCandidate safe;
     safe.candidate = safe_;
-    safe.why = out_of_budget_  ? "taken unproven: the search would cost more than this run"
-               : sees_nothing_ ? "taken unproven: nothing of the cable is in the picture"
+    safe.why = out_of_budget_       ? "taken unproven: the search would cost more than this run"
+               : sees_nothing_      ? "taken unproven: nothing of the cable is in the picture"
+               : !unstable_.empty() ? "taken unproven: the start is unstable"
                : !result_.uncertain.empty()
                    ? "taken unproven: neighbouring motions part before the end"
                    : "taken unproven: no three meshes of the full model came to their end";
