@@ -107,9 +107,11 @@ double growth(int order, double omega_h) {
   const Cable cable(spec);
   Dynamics dynamics(cable);
   const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
-  const std::unique_ptr<Method> method = make_method(bdf(order, omega_h / omega), dynamics, start);
-  for (int k = 0; k < 36; ++k)
-    EXPECT_TRUE(method->step(1e3).ok());  // all but the leading pair of roots fades
+  MethodSpec with = bdf(order, omega_h / omega);
+  with.parameters["newton_tolerance"] = 1e-14;  // far below what is left of the vibration
+  const std::unique_ptr<Method> method = make_method(with, dynamics, start);
+  // All but the leading pair of roots fades; where that fades too, not so long that only round-off is left.
+  for (int k = 0; k < (order > 2 ? 36 : 6); ++k) EXPECT_TRUE(method->step(1e3).ok());
   double v[4];
   for (double& x : v) {
     EXPECT_TRUE(method->step(1e3).ok());
