@@ -517,6 +517,8 @@ def run_trial(t, program, memory, patience):
 
     if ended.killed:
         ended.faults.append("does not end")
+    elif ended.signal == signal.SIGINT and t.interrupt_after and not raw:
+        pass  # before the program itself begins, or forced by a second one
     elif ended.signal:
         ended.faults.append(f"ends by signal {ended.signal}")
     elif ended.status == 127 and "error while loading shared libraries" in ended.text:

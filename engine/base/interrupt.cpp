@@ -64,7 +64,7 @@ void* watch(void*) {
   const std::lock_guard lock(registry().undivided);
   remove_unfinished();
   constexpr std::string_view line = "plumb: interrupted\n";
-  if (::write(STDERR_FILENO, line.data(), line.size()) < 0) {
+  if (may_say_interrupted() && ::write(STDERR_FILENO, line.data(), line.size()) < 0) {
     // Nobody is there to read it.
   }
   ::_exit(interrupted_status);
@@ -100,6 +100,11 @@ void catch_interrupts() {
 
 void stop_if_interrupted() {
   if (is_interrupted()) throw Interrupted();
+}
+
+bool may_say_interrupted() {
+  static std::atomic<bool> said = false;
+  return !said.exchange(true);
 }
 
 bool is_interrupted() {

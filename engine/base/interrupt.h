@@ -16,6 +16,9 @@ void stop_if_interrupted();
 /// Whether a stop was asked for.
 bool is_interrupted();
 
+/// True for the first who asks, of the work that stops and what ends it from outside: it is said once.
+bool may_say_interrupted();
+
 /// Takes down a folder in the making, which `remove` clears where the program is ended from outside while its
 /// work goes on, and strikes it out again. `remove` throws nothing.
 void begin_unfinished(const std::string& path, void (*remove)(const std::string& path));

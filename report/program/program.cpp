@@ -355,7 +355,8 @@ int program(int count, const char* const* arguments) {
   } catch (const OutputError& error) {
     return fail(error.what(), ExitStatus::output_failed);
   } catch (const Interrupted& error) {
-    return fail(error.what(), ExitStatus::interrupted);
+    return may_say_interrupted() ? fail(error.what(), ExitStatus::interrupted)
+                                 : static_cast<int>(ExitStatus::interrupted);
   } catch (const std::bad_alloc&) {
     return fail_for_memory();
   } catch (const std::length_error&) {

@@ -527,7 +527,9 @@ TEST_F(PageInBrowser, OfAFailedRunBeginsWithWhatWentWrong) {
       0U)
       << lead;
   EXPECT_NE(lead.find("What went wrong: rk4 ended at t = 0.0208 s in step 16"), lead.npos) << lead;
-  EXPECT_NE(lead.find("What would help: a step below 0.00104 s (tried to the end), or an implicit method."), lead.npos) << lead;
+  EXPECT_NE(lead.find("What would help: a step below 0.00104 s (tried to the end), or an implicit method."),
+            lead.npos)
+      << lead;
   EXPECT_LT(
       tab().value_of("document.querySelector('.headline').getBoundingClientRect().bottom").get<double>(),
       300);
