@@ -134,7 +134,7 @@ TEST(ChooseCandidate, StopsAtTheHorizonBeforeItSearches) {
 }
 
 TEST(ChooseCandidate, KnowsWhatTheSafeRunCosts) {
-  for (const double f : {2.0, 5.0}) {
+  for (const double f : {4.0, 8.0}) {
     Case spec = scene_of(0.4, 0.5);
     spec.cable = pendulum(f, 4).cable;
     const Candidate safe = safe_candidate(spec);
