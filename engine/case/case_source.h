@@ -32,6 +32,11 @@ struct CaseSource {
   }
 };
 
+/// Whether something is made of a section that not all commands use: "scene", "uncertainty", "error_budget",
+/// "study.sweep" and so on. What is wrong in one that is not used is a remark, and the section left out.
+using SectionUse = std::function<bool(std::string_view section)>;
+bool use_all(std::string_view section);
+
 /// A checked case with the references and runs that it names, in the orders of `Case`.
 struct LoadedCase {
   CaseSource source;
@@ -39,12 +44,8 @@ struct LoadedCase {
   std::vector<Reference> references;
   std::vector<GivenRun> given_runs;  ///< in the order of `Case::given_runs`
   std::vector<std::string> remarks;  ///< what was left unused and why, for the user to see
+  SectionUse uses = use_all;         ///< what it was read for
 };
-
-/// Whether something is made of a section that not all commands use: "scene", "uncertainty", "error_budget",
-/// "study.sweep" and so on. What is wrong in one that is not used is a remark, and the section left out.
-using SectionUse = std::function<bool(std::string_view section)>;
-bool use_all(std::string_view section);
 
 /// Reads a case file from disk with its references and checks everything.
 /// Throws InputError naming file, line, column, the value and what is allowed.

@@ -143,6 +143,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   for (const std::string& text : overrides) apply_override(merged, text);
 
   LoadedCase loaded;
+  loaded.uses = uses;
   loaded.remarks = drop_overruled_keys(written, merged);
   for (std::string& remark : drop_keys_of_other_models(merged)) loaded.remarks.push_back(std::move(remark));
   const Parameters parameters(merged.find("parameters"));

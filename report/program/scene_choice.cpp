@@ -78,7 +78,7 @@ SceneChoice choose_for_scene(const LoadedCase& loaded, const std::string& folder
     choice.economy = choose_candidate(loaded.spec, gauge_maker(loaded.spec));
   }
   const TriedCandidate& taken = *choice.economy.choice();
-  choice.loaded = load_case(with_choice(loaded, taken.candidate));
+  choice.loaded = load_case(with_choice(loaded, taken.candidate), loaded.uses);
   if (options.explain)
     for (const std::string& line : explain(choice.economy)) console.line(line);
   console.line(economy_sentence(choice.economy, loaded.spec.scene));

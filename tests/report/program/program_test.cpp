@@ -119,6 +119,11 @@ TEST(Program, WhatAVerbDoesNotUseItRemarksOnAtMost) {
     EXPECT_NE(solved.err.find("is not used here"), std::string::npos) << wrong << solved.err;
     EXPECT_EQ(ended("check").status, 3) << wrong;
   }
+  EXPECT_EQ(plumb_in(folder.path(), {"solve", case_path("economy/rod.toml"), "--economy", "--set",
+                                     "time.end=0.1", "--set", "study.stability.steps=1"})
+                .status,
+            0)
+      << "the case is read again with what its scene needs";
 }
 
 TEST(Program, EveryStageCanBeEnteredFromItsFile) {
