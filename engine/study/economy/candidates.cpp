@@ -224,18 +224,20 @@ std::vector<Candidate> all_candidates(const Case& spec, double limit) {
 Candidate safe_candidate(const Case& spec) {
   Candidate candidate{meshed(spec, safe_elements), plain_method(embedded_explicit())};
   candidate.method.rtol = candidate.method.atol = safe_tolerance;
+  return candidate;
+}
+
+double safe_work(const Case& spec) {
   constexpr double steps_tried = 2000;
-  const double steps_a_second = straight_frequency(candidate.cable) / safe_phase;
-  Case beginning = with_candidate(spec, candidate);
+  Case beginning = with_candidate(spec, safe_candidate(spec));
+  const double steps_a_second = straight_frequency(beginning.cable) / safe_phase;
   beginning.time.end = std::min(spec.time.end, steps_tried / steps_a_second);
   beginning.time.output_interval = beginning.time.end;
   const Trajectory tried = integrate(beginning);
-  const double steps =
+  const double taken =
       static_cast<double>(tried.counters.steps + std::max(0L, tried.counters.rejected_steps));
-  candidate.work =
-      (tried.end_time > 0 ? steps * spec.time.end / tried.end_time : spec.time.end * steps_a_second) *
-      safe_step.of(safe_elements);
-  return candidate;
+  return (tried.end_time > 0 ? taken * spec.time.end / tried.end_time : spec.time.end * steps_a_second) *
+         safe_step.of(safe_elements);
 }
 
 }  // namespace plumb

@@ -30,8 +30,10 @@ Candidate cable_candidate(const Case& spec, int elements, double share_of_step =
 /// shorter steps than they need to be stable, and with long implicit steps.
 std::vector<Candidate> all_candidates(const Case& spec, double limit);
 
-/// The safe default: 64 elements, embedded_explicit() with rtol and atol of 1e-8. Its steps are those of its
-/// first thousands, which it takes to tell, as many a second to the end; the same on every machine.
+/// The safe default: 64 elements, embedded_explicit() with rtol and atol of 1e-8. Its work is not known.
 Candidate safe_candidate(const Case& spec);
+/// Its predicted work, ns: it takes its first thousands of steps to tell, and counts as many a second to the
+/// end; the same on every machine.
+double safe_work(const Case& spec);
 
 }  // namespace plumb

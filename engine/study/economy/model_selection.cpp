@@ -56,6 +56,7 @@ class Search {
  public:
   Search(const Case& spec, const MakeGauge& make_gauge)
       : spec_(spec), make_gauge_(make_gauge), safe_(safe_candidate(spec)) {
+    safe_.work = safe_work(spec);
     result_.tolerance = spec.scene.tolerance;
     result_.safe_work = safe_.work;
     if (spec.cable.model == CableModel::cable) result_.case_elements = spec.cable.elements;
@@ -387,7 +388,7 @@ class Search {
 
   const Case& spec_;
   const MakeGauge& make_gauge_;
-  const Candidate safe_;
+  Candidate safe_;
   Economy result_;
   std::deque<Member> spine_;    // the full model, mesh by mesh
   std::deque<Member> climbed_;  // the candidates below

@@ -141,8 +141,9 @@ TEST(ChooseCandidate, KnowsWhatTheSafeRunCosts) {
     const Counters counted = integrate(with_candidate(spec, safe)).counters;
     Case half = spec;
     half.time.end = 0.2;
-    const double a_step = safe.work / static_cast<double>(counted.steps + counted.rejected_steps);
-    EXPECT_NEAR(safe_candidate(half).work, safe.work / 2, 0.2 * safe.work) << "f = " << f;
+    const double work = safe_work(spec);
+    const double a_step = work / static_cast<double>(counted.steps + counted.rejected_steps);
+    EXPECT_NEAR(safe_work(half), work / 2, 0.2 * work) << "f = " << f;
     EXPECT_GT(a_step, 0.5 * 38800) << "f = " << f << ": fewer steps were predicted than were taken";
     EXPECT_LT(a_step, 2 * 38800) << "f = " << f << ": more steps were predicted than were taken";
   }
