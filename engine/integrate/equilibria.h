@@ -21,6 +21,8 @@ inline std::span<const CriticalKind> enum_values(CriticalKind) {
 }
 /// "limit-point", "bifurcation".
 std::string_view word(CriticalKind);
+/// The same in running text: "limit point".
+std::string_view in_words(CriticalKind);
 
 /// A point on a path of equilibria.
 struct PathPoint {

@@ -52,6 +52,10 @@ std::string_view word(CriticalKind kind) {
   return kind == CriticalKind::limit_point ? "limit-point" : "bifurcation";
 }
 
+std::string_view in_words(CriticalKind kind) {
+  return kind == CriticalKind::limit_point ? "limit point" : "bifurcation";
+}
+
 namespace {
 
 /// The greater of two numbers; one that is not a number is greater than any.

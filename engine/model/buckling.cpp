@@ -2,12 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/model/block_lu.h"
 #include "engine/model/cable.h"
 #include "engine/model/inertia.h"
+#include "engine/model/mode_shapes.h"
 
 namespace plumb {
 namespace {
@@ -38,7 +38,6 @@ struct Pencil {
 
 std::optional<Buckling> first_buckling(const Cable& cable, const Eigen::VectorXd& q) {
   constexpr int vectors = 4, iterations = 60;
-  constexpr std::array<Eigen::Index, 3> axes{1, 2, 0};
   constexpr double alike = 1e-6;
   BlockTridiagonal K(cable.nodes());
   cable.system(q, 0, 1, K);
@@ -62,12 +61,7 @@ std::optional<Buckling> first_buckling(const Cable& cable, const Eigen::VectorXd
   const double share = difference / longest;
   const Pencil pencil(cable, q, share * way);
 
-  const Eigen::Index n = cable.size();
-  Eigen::MatrixXd X(n, std::min<Eigen::Index>(vectors, n / 6)), Y = X;
-  for (Eigen::Index k = 0; k < X.cols(); ++k)
-    for (Eigen::Index i = 0; i < n; ++i)
-      X(i, k) = std::cos(static_cast<double>((k + 1) * (i / 6)) / cable.nodes() +
-                         1.3 * static_cast<double>(k) + 2.1 * static_cast<double>(i % 6));
+  Eigen::MatrixXd X = starting_modes(cable.nodes(), vectors), Y = X;
   Eigen::VectorXd values, x, y;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Eigen::MatrixXd KX = X, dX = X;
@@ -107,20 +101,10 @@ std::optional<Buckling> first_buckling(const Cable& cable, const Eigen::VectorXd
   Eigen::Index same = 1;
   while (same < values.size() && values[same] > (1 - alike) * values[0]) ++same;
   const Eigen::MatrixXd modes = X.leftCols(same);
-  Eigen::VectorXd best;
-  double greatest = 0;
-  for (const Eigen::Index axis : axes)
-    for (Eigen::Index at = axis; at < n; at += 6)
-      if (const double moves = modes.row(at).norm(); moves > (1 + alike) * greatest) {
-        greatest = moves;
-        best = modes.row(at).transpose() / moves;
-      }
-  if (!(greatest > 0)) return std::nullopt;
-  Buckling result{1 / values[0], modes * best};
-  double longest_displacement = 0;
-  for (Eigen::Index at = 0; at < n; at += 6)
-    longest_displacement = std::max(longest_displacement, result.shape.segment<3>(at).norm());
-  result.shape /= longest_displacement;
+  const Eigen::VectorXd shares = towards_an_axis(modes);
+  if (shares.size() == 0) return std::nullopt;
+  Buckling result{1 / values[0], modes * shares};
+  result.shape /= greatest_displacement(result.shape);
   return result;
 }
 

@@ -37,7 +37,7 @@ Series part(const std::vector<PathPoint>& path, bool stable) {
 
 Series marks(const std::vector<CriticalPoint>& points, CriticalKind kind) {
   Series series;
-  series.label = kind == CriticalKind::limit_point ? "limit point" : "bifurcation";
+  series.label = in_words(kind);
   series.line_width = 0;
   series.marker = kind == CriticalKind::limit_point ? Marker::square : Marker::circle;
   series.color = palette[kind == CriticalKind::limit_point ? 2 : 3];
@@ -69,9 +69,8 @@ std::optional<Figure> load_path_figure(const Run& run) {
       fmt::format("Plot of the load over the greatest displacement of a node along a path of {} equilibria",
                   equilibria.path.size());
   for (const CriticalPoint& point : equilibria.critical_points)
-    figure.alt += fmt::format("; a {} at {:.6g} of the load and {:.4g} m",
-                              point.kind == CriticalKind::limit_point ? "limit point" : "bifurcation",
-                              point.load, point.displacement);
+    figure.alt += fmt::format("; a {} at {:.6g} of the load and {:.4g} m", in_words(point.kind), point.load,
+                              point.displacement);
   figure.alt += ".";
   figure.plot.panels = {std::move(panel)};
   return figure;

@@ -2,10 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/model/cable.h"
+#include "engine/model/mode_shapes.h"
 
 namespace plumb {
 namespace {
@@ -23,14 +23,9 @@ Modes modes_next_to_zero(LoadedCable& loaded) {
   constexpr double as_near = 1e3;  // as the nearest
   const Cable& cable = loaded.cable();
   const Eigen::Index n = cable.size();
-  Eigen::MatrixXd X(n, std::min<Eigen::Index>(vectors, n / 6)), Y = X;
+  Eigen::MatrixXd X = starting_modes(cable.nodes(), vectors), Y = X;
   Eigen::Index near = 1;
   double nearest = 0;
-  // Of no symmetry, so that no mode is missed; smooth along the cable, as the modes are.
-  for (Eigen::Index k = 0; k < X.cols(); ++k)
-    for (Eigen::Index i = 0; i < n; ++i)
-      X(i, k) = std::cos(static_cast<double>((k + 1) * (i / 6)) / cable.nodes() +
-                         1.3 * static_cast<double>(k) + 2.1 * static_cast<double>(i % 6));
   Eigen::VectorXd x, y;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     for (Eigen::Index k = 0; k < X.cols(); ++k) {
@@ -71,22 +66,6 @@ Modes modes_next_to_zero(LoadedCable& loaded) {
   return {X.leftCols(near), nearest};
 }
 
-/// How much of each mode makes the combination that moves most along one axis, at the place where that is.
-Eigen::VectorXd towards_an_axis(const Eigen::MatrixXd& modes) {
-  constexpr std::array<Eigen::Index, 3> axes{1, 2, 0};
-  constexpr double alike = 1e-6;
-  Eigen::VectorXd best = Eigen::VectorXd::Unit(modes.cols(), 0);
-  double greatest = 0;
-  for (const Eigen::Index axis : axes)
-    for (Eigen::Index at = axis; at < modes.rows(); at += 6) {
-      const double moves = modes.row(at).norm();
-      if (!(moves > (1 + alike) * greatest)) continue;
-      greatest = moves;
-      best = modes.row(at).transpose() / moves;
-    }
-  return best;
-}
-
 }  // namespace
 
 CriticalMode critical_mode(LoadedCable& loaded) {
@@ -103,7 +82,9 @@ CriticalMode critical_mode(LoadedCable& loaded) {
   const double usual = (EI > 0 ? 12 * EI / (L * L) : EA) / (mass * L * L);
   mode.gives_way = std::abs(found.nearest) <= as_good_as_zero * usual;
   mode.by_load = loaded.has_a_side() && work.norm() > round_off * modes.norm() * loaded.load().norm();
-  mode.shape = modes * (mode.by_load ? Eigen::VectorXd(work / work.norm()) : towards_an_axis(modes));
+  Eigen::VectorXd shares = mode.by_load ? Eigen::VectorXd(work / work.norm()) : towards_an_axis(modes);
+  if (shares.size() == 0) shares = Eigen::VectorXd::Unit(modes.cols(), 0);
+  mode.shape = modes * shares;
   mode.shape /= loaded.norm(mode.shape);
   Eigen::Index place = 0;
   for (Eigen::Index at = 0; at < mode.shape.size(); at += 6)

@@ -33,12 +33,12 @@ constexpr double least_straightness = 0.9;
 /// A path under a primary load that goes back is followed up to the opposite of the whole load.
 constexpr double farthest_back = -1;
 
-std::string place_of(const CriticalMode& mode) {
-  return fmt::format("that moves most at {:.3g} of the length, along ({:.3g}, {:.3g}, {:.3g})", mode.at,
-                     mode.direction.x(), mode.direction.y(), mode.direction.z());
-}
-
 }  // namespace
+
+std::string mode_in_words(const CriticalPoint& point) {
+  return fmt::format("that moves most at {:.3g} of the length, along ({:.3g}, {:.3g}, {:.3g})", point.at,
+                     point.direction[0], point.direction[1], point.direction[2]);
+}
 
 std::string eigenvalues_in_words(int negative) {
   return negative < 0 ? "an eigenvalue that is not positive"
@@ -218,8 +218,8 @@ StepResult EquilibriumPath::pass(const Node& before, const Node& after, double s
   if (!turns && branch_off(before, mode, point.what_followed)) return {};
   StepResult rest = go_over(before, turns ? before.dq : mode.shape, point.what_followed);
   if (!rest.ok())
-    rest.reason = fmt::format("a {} is at {:.6g} of the load, in the mode {}: {}",
-                              turns ? "limit point" : "bifurcation", share, place_of(mode), rest.reason);
+    rest.reason = fmt::format("a {} is at {:.6g} of the load, in the mode {}: {}", in_words(point.kind),
+                              share, mode_in_words(point), rest.reason);
   return rest;
 }
 

@@ -16,6 +16,9 @@ enum class Follow {
   primary,  ///< along the path that it is on, whether the cable would stay there or not
 };
 
+/// "that moves most at 0.5 of the length, along (0, 1, 0)": the mode of a critical point.
+std::string mode_in_words(const CriticalPoint& point);
+
 /// "2 negative eigenvalues"; of -1, which cannot be counted, "an eigenvalue that is not positive".
 std::string eigenvalues_in_words(int negative);
 

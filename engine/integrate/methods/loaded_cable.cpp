@@ -38,12 +38,6 @@ double greatest_turn(const Eigen::VectorXd& dq, double element_length) {
   return greatest;
 }
 
-double greatest_displacement(const Eigen::VectorXd& dq) {
-  double greatest = 0;
-  for (Eigen::Index at = 0; at < dq.size(); at += 6) greatest = std::max(greatest, dq.segment<3>(at).norm());
-  return greatest;
-}
-
 LoadedCable::LoadedCable(Dynamics& dynamics, const Eigen::VectorXd& start, double tolerance)
     : dynamics_(dynamics),
       start_(start),

@@ -4,14 +4,12 @@
 #include <string>
 
 #include "engine/integrate/method.h"
+#include "engine/model/mode_shapes.h"
 
 namespace plumb {
 
 /// How far a change of the coordinates turns a slope at most, or a chord over its length.
 double greatest_turn(const Eigen::VectorXd& dq, double element_length);
-
-/// Greatest displacement of a node in a change of the coordinates, m.
-double greatest_displacement(const Eigen::VectorXd& dq);
 
 /// A cable under a share of its load, as a problem of equilibrium: R(q, λ) = λ F + F₀ − ∂U/∂q = 0 with the
 /// supports in, K = −∂R/∂q. F are the loads of the case together; F₀ holds the unloaded cable in the start

@@ -105,11 +105,8 @@ class Statics : public Method {
   std::string lost_at() const {
     for (const CriticalPoint& point : path_.critical_points())
       if (point.negative_before == 0)
-        return fmt::format(
-            "; stability was lost at {:.6g} of the load, at a {}, in the mode that moves most at "
-            "{:.3g} of the length, along ({:.3g}, {:.3g}, {:.3g})",
-            point.load, point.kind == CriticalKind::limit_point ? "limit point" : "bifurcation", point.at,
-            point.direction[0], point.direction[1], point.direction[2]);
+        return fmt::format("; stability was lost at {:.6g} of the load, at a {}, in the mode {}", point.load,
+                           in_words(point.kind), mode_in_words(point));
     return "";
   }
 
