@@ -77,14 +77,14 @@ std::string_view dimension(std::string_view base) {
 
 /// Without blanks and signs of multiplication, and with one of the two characters that look like µ.
 std::string plain(std::string_view unit) {
-  constexpr std::array<std::string_view, 4> left_out{" ", "*", "·", "⋅"};
+  constexpr std::array<std::string_view, 4> blanks{" ", "*", "·", "⋅"};
   constexpr std::string_view mu = "μ", micro = "µ";
   std::string result;
   while (!unit.empty()) {
     std::string_view part = unit.substr(0, 1);
-    for (const std::string_view sign : left_out)
+    for (const std::string_view sign : blanks)
       if (unit.starts_with(sign)) part = sign;
-    const bool dropped = std::find(left_out.begin(), left_out.end(), part) != left_out.end();
+    const bool dropped = std::find(blanks.begin(), blanks.end(), part) != blanks.end();
     if (unit.starts_with(mu)) {
       part = mu;
       result += micro;
