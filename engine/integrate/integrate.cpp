@@ -11,6 +11,7 @@
 #include "engine/integrate/monitor.h"
 #include "engine/integrate/processor_time.h"
 #include "engine/model/cable.h"
+#include "engine/model/quadrature.h"
 #include "engine/model/support_constraints.h"
 
 namespace plumb {
@@ -29,12 +30,57 @@ constexpr long steps_between_looks = 64;
 /// are long, as on fine meshes, sixteen of them would go far beyond the time allowed.
 constexpr long work_between_clocks = 20000;
 
-void record(const Cable& cable, double t, const State& state, Trajectory& trajectory) {
+/// Follows what has no potential does, as far as there is any.
+class WorkDone {
+ public:
+  WorkDone(const Cable& cable, bool dynamic) : cable_(cable), any_(dynamic && !cable.conservative()) {}
+
+  /// Up to the end of the last step.
+  const Work& total() const { return total_; }
+  /// Up to t within it.
+  Work at(const Method& method, double t) {
+    Work work = before_;
+    if (any_) work += between(method, from_, t);
+    return work;
+  }
+  /// A step was taken, from a time on (s).
+  void add_step(const Method& method, double from) {
+    if (!any_) return;
+    before_ = total_;
+    from_ = from;
+    const std::optional<Work> own = method.work();
+    total_ += own ? *own : between(method, from, method.state().t);
+  }
+
+ private:
+  /// By Gauss's rule, from the method's own interpolation.
+  Work between(const Method& method, double from, double to) {
+    constexpr int points = 3;
+    Work sum;
+    for (const QuadraturePoint& point : gauss_rule(points)) {
+      method.interpolate(from + point.x * (to - from), state_);
+      const Work power = cable_.other_work(state_.t, state_.q, state_.v, state_.v);
+      const double weight = point.weight * (to - from);
+      sum += {weight * power.of_loads, weight * power.dissipated};
+    }
+    return sum;
+  }
+
+  const Cable& cable_;
+  bool any_;
+  double from_ = 0;  // s
+  Work before_, total_;
+  State state_;
+};
+
+void record(const Cable& cable, double t, const State& state, const Work& done, Trajectory& trajectory) {
   trajectory.times.push_back(t);
   trajectory.q.push_back(state.q);
   trajectory.v.push_back(state.v);
   cable.set_output_slopes(trajectory.q.back(), trajectory.v.back());
   trajectory.energies.push_back(cable.energies(state.q, state.v));
+  trajectory.energies.back().work = done.of_loads;
+  trajectory.energies.back().dissipated = done.dissipated;
 }
 
 /// The multipliers at an output that was just recorded, and how far the joints have drifted by it.
@@ -81,7 +127,9 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
 
   Dynamics dynamics(cable);
   const MethodInfo* info = find_method(method.name);
-  const Monitor monitor(cable, start, info == nullptr || info->dynamic);
+  const bool dynamic = info == nullptr || info->dynamic;
+  const Monitor monitor(cable, start, dynamic);
+  WorkDone done(cable, dynamic);
   const std::vector<double> outputs = output_times(time);
   const double near = same_time * time.output_interval;
   State between = start;
@@ -96,7 +144,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
   StepResult last = monitor.check(start);
   // A start that is not even finite has nothing to show.
   if (last.outcome != Outcome::diverged) {
-    record(cable, start.t, start, result);
+    record(cable, start.t, start, {}, result);
     record_constraints(cable, *integrator, start.t, lambda, result);
   }
   std::size_t next = 1;
@@ -119,7 +167,8 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
         (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
     if (last.ok()) {
       const auto collapsed = dynamics.take_collapsed();
-      if (look || collapsed) last = monitor.check(now);
+      done.add_step(*integrator, before);
+      if (look || collapsed) last = monitor.check(now, done.total());
       if (last.ok() && collapsed)
         last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
       if (last.ok()) ++dynamics.counters.steps;
@@ -130,7 +179,7 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
     }
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
       if (std::abs(outputs[next] - now.t) <= near) {
-        record(cable, outputs[next], now, result);
+        record(cable, outputs[next], now, done.total(), result);
         record_constraints(cable, *integrator, now.t, lambda, result);
       } else {
         integrator->interpolate(outputs[next], between);
@@ -138,9 +187,12 @@ Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& m
           failed_step = dynamics.counters.steps;
           break;
         }
-        record(cable, outputs[next], between, result);
+        record(cable, outputs[next], between, done.at(*integrator, outputs[next]), result);
         Energies& energies = result.energies.back();
-        energies.interpolation = energies.total() - cable.energies(now.q, now.v).total();
+        Energies at_step = cable.energies(now.q, now.v);
+        at_step.work = done.total().of_loads;
+        at_step.dissipated = done.total().dissipated;
+        energies.interpolation = energies.total() - at_step.total();
         record_constraints(cable, *integrator, outputs[next], lambda, result);
         ++result.interpolated_outputs;
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/case/case.h"
@@ -44,6 +45,10 @@ class Method {
   /// Sets `lambda` to the multipliers of the constraints (SupportConstraints) at t (s), within the last step
   /// or at the state; to nothing for a method without them.
   virtual void constraint_forces(double /*t*/, Eigen::VectorXd& lambda) const { lambda.resize(0); }
+
+  /// What has no potential has done in the last step, as the method itself counts it; nothing: as its states
+  /// say.
+  virtual std::optional<Work> work() const { return std::nullopt; }
 
   /// Steps tried and repeated shorter.
   virtual long rejected_steps() const { return 0; }

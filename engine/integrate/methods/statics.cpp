@@ -21,7 +21,7 @@ constexpr double most_overshoot = 10;
 constexpr double singular_correction = 1e10;
 
 /// Equilibrium under a load, all of the case together, that grows in proportion to time and is
-/// whole at the end of the run; each step is one load step:
+/// whole at the end of the run, beside what a factor of its own does; each step is one load step:
 ///   f_ext t/T − ∂U/∂q = 0,  by Newton's iteration  K dq = f_ext t/T − ∂U/∂q.
 /// A correction is halved until the next one, with the same matrix, is the smaller (the natural monotonicity
 /// test of Deuflhard 2004, section 3.3), which does not depend on the units of forces and moments.
@@ -82,19 +82,21 @@ class Statics : public Method {
     StepResult whole = iterate(from, fraction, false);
     if (whole.outcome == Outcome::singular) return whole;
     if (whole.ok() && !reversed(from)) {
-      whole = stability();
+      whole = stability(fraction);
       if (whole.ok()) return whole;
     }
     StepResult halved = iterate(from, fraction, true);
-    if (halved.ok()) halved = stability();
+    if (halved.ok()) halved = stability(fraction);
     if (halved.ok() || whole.outcome != Outcome::unstable_equilibrium) whole = halved;
     if (whole.outcome == Outcome::no_convergence) explain(fraction, whole);
     return whole;
   }
 
   /// Whether the cable would stay at the equilibrium q_.
-  StepResult stability() const {
-    if (const auto node = dynamics_.factor(q_, 0, 1)) return singular(*node);
+  StepResult stability(double fraction) const {
+    // Loads without a potential may make it flutter as well, which takes more than the stiffness to tell.
+    if (!dynamics_.cable().has_symmetric_tangent()) return {};
+    if (const auto node = dynamics_.factor(q_, 0, 1, at(fraction))) return singular(*node);
     const std::optional<int> negative = dynamics_.negative_eigenvalues();
     if (negative == 0) return {};
     return {
@@ -114,7 +116,7 @@ class Statics : public Method {
       return {Outcome::singular, "the slope collapsed within Newton's iteration", *collapsed};
     for (int i = 0; i < iterations_; ++i) {
       change_ = residual_;
-      if (const auto node = dynamics_.factor(q_, 0, 1)) return singular(*node);
+      if (const auto node = dynamics_.factor(q_, 0, 1, at(fraction))) return singular(*node);
       dynamics_.solve(change_);
       ++dynamics_.counters.newton_iterations;
       correction = correction_size(change_, 1, cable.element().length());
@@ -176,11 +178,12 @@ class Statics : public Method {
     return greatest;
   }
 
+  /// The load is that share of all of it.
+  Instant at(double fraction) const { return {.t = fraction * end_, .load = fraction}; }
+
   /// residual_ := what is missing for equilibrium at q. Returns an element whose slope collapsed.
   std::optional<int> residual(const Eigen::VectorXd& q, double fraction) const {
-    dynamics_.force(q, residual_);
-    residual_ += (fraction - 1) * dynamics_.cable().external_force();
-    dynamics_.cable().supports().apply(residual_);
+    dynamics_.force(q, residual_, at(fraction));
     return dynamics_.take_collapsed();
   }
 
