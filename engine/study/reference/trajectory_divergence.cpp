@@ -45,7 +45,7 @@ class Neighbours {
     constexpr double outputs = 500;
     const double wished = std::min(spec.time.output_interval, spec.time.end / outputs);
     time_ = {spec.time.end, spec.time.end / std::ceil(spec.time.end / wished)};
-    method_ = plain_method(accurate_explicit());
+    method_ = plain_method(accurate_explicit(spec));
     const double omega = fastest_vibration(cable_, cable_.start_q(spec.start)).frequency;
     double steps = std::ceil(std::max(time_.output_interval * omega / first_z, 4.0));
     for (int halvings = 0; halvings <= most_halvings; ++halvings, steps *= 2) {
