@@ -79,7 +79,8 @@ void expect_no_bit_to_change(Case (*cable)(Support)) {
       for (const Support first : {Support::free, Support::pinned, Support::clamped}) {
         if (!info.dynamic && first != Support::clamped) continue;
         Case spec = cable(first);
-        if (!takes(info, spec)) continue;
+        // Plain load steps find no equilibrium of a cable this soft.
+        if (!takes(info, spec) || (!info.dynamic && !spec.loads.applied.empty())) continue;
         spec.method = with;
         const Trajectory as_it_is = integrate(spec);
         ASSERT_EQ(as_it_is.outcome, Outcome::completed) << info.name << ": " << as_it_is.message;
