@@ -201,7 +201,7 @@ class Adviser {
       add(energy_keeping(), true);
       add(usual_implicit(), true);
     }
-    add(accurate_explicit(), false);
+    add(cable_.damping().none() ? accurate_explicit() : embedded_explicit(), false);
     add(usual_implicit(), false);
   }
 

@@ -12,6 +12,7 @@
 #include "engine/integrate/processor_time.h"
 #include "engine/integrate/symmetric_motion.h"
 #include "engine/model/cable.h"
+#include "engine/model/quadrature.h"
 #include "engine/model/support_constraints.h"
 
 namespace plumb {
@@ -30,6 +31,49 @@ constexpr long steps_between_looks = 64;
 /// are long, as on fine meshes, sixteen of them would go far beyond the time allowed.
 constexpr long work_between_clocks = 20000;
 
+/// Follows what has no potential does, as far as there is any.
+class WorkDone {
+ public:
+  WorkDone(const Cable& cable, bool dynamic) : cable_(cable), any_(dynamic && !cable.conservative()) {}
+
+  /// Up to the end of the last step.
+  const Work& total() const { return total_; }
+  /// Up to t within it.
+  Work at(const Method& method, double t) {
+    Work work = before_;
+    if (any_) work += between(method, from_, t);
+    return work;
+  }
+  /// A step was taken, from a time on (s).
+  void add_step(const Method& method, double from) {
+    if (!any_) return;
+    before_ = total_;
+    from_ = from;
+    const std::optional<Work> own = method.work();
+    total_ += own ? *own : between(method, from, method.state().t);
+  }
+
+ private:
+  /// By Gauss's rule, from the method's own interpolation.
+  Work between(const Method& method, double from, double to) {
+    constexpr int points = 3;
+    Work sum;
+    for (const QuadraturePoint& point : gauss_rule(points)) {
+      method.interpolate(from + point.x * (to - from), state_);
+      const Work power = cable_.other_work(state_.t, state_.q, state_.v, state_.v);
+      const double weight = point.weight * (to - from);
+      sum += {weight * power.of_loads, weight * power.dissipated};
+    }
+    return sum;
+  }
+
+  const Cable& cable_;
+  bool any_;
+  double from_ = 0;  // s
+  Work before_, total_;
+  State state_;
+};
+
 State in_units(const State& start, const OwnUnits& units) {
   State result = start;
   result.t /= units.time;
@@ -44,18 +88,19 @@ class Recorder {
   Recorder(const Cable& cable, const OwnUnits& units, Trajectory& trajectory)
       : cable_(cable), units_(units), trajectory_(trajectory) {}
 
-  /// `state` at the output time t (s), of the last step of `method`, in its own units.
-  void record(double t, const State& state, const Method& method) {
-    record(t, state);
+  /// `state` at the output time t (s), of the last step of `method`, in its own units, as is what has been
+  /// done.
+  void record(double t, const State& state, const Work& done, const Method& method) {
+    record(t, state, done);
     record_extras(state.t, method);
   }
 
-  /// The same of a state between the last two steps.
-  void record_between(double t, const State& state, const Method& method) {
-    record(t, state);
+  /// The same of a state between the last two steps, at the later of which it is `at_step`.
+  void record_between(double t, const State& state, const Work& done, const Work& at_step,
+                      const Method& method) {
+    record(t, state, done);
     Energies& energies = trajectory_.energies.back();
-    const State end = in_si(method.state());
-    energies.interpolation = energies.total() - cable_.energies(end.q, end.v).total();
+    energies.interpolation = energies.total() - energies_of(in_si(method.state()), at_step).total();
     record_extras(state.t, method);
   }
 
@@ -66,9 +111,17 @@ class Recorder {
     return state;
   }
 
-  void record(double t, const State& own) {
+  /// Of a state in m and s, and of work in own units.
+  Energies energies_of(const State& state, const Work& done) const {
+    Energies result = cable_.energies(state.q, state.v);
+    result.work = done.of_loads * units_.moment();
+    result.dissipated = done.dissipated * units_.moment();
+    return result;
+  }
+
+  void record(double t, const State& own, const Work& done) {
     State state = in_si(own);
-    trajectory_.energies.push_back(cable_.energies(state.q, state.v));
+    trajectory_.energies.push_back(energies_of(state, done));
     cable_.set_output_slopes(state.q, state.v);
     trajectory_.times.push_back(t);
     trajectory_.q.push_back(std::move(state.q));
@@ -117,8 +170,10 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   const double end = time.end / units.time;
 
   const MethodInfo* info = find_method(method.name);
-  const Monitor monitor(own_cable, own_start, info == nullptr || info->dynamic);
-  Dynamics dynamics(own_cable, {monitor.own_time(), end});
+  const bool dynamic = info == nullptr || info->dynamic;
+  const Monitor monitor(own_cable, own_start, dynamic);
+  WorkDone done(own_cable, dynamic);
+  Dynamics dynamics(own_cable, {monitor.own_time(end), end});
   const std::vector<double> output_seconds = output_times(time);
   std::vector<double> outputs = output_seconds;
   for (double& t : outputs) t /= units.time;
@@ -136,7 +191,7 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   // A start that is not even finite has nothing to show.
   if (last.outcome != Outcome::diverged)
     // Statics begins with an equilibrium that is found from the start.
-    recorder.record(start.t, info == nullptr || info->dynamic ? own_start : integrator->state(), *integrator);
+    recorder.record(start.t, dynamic ? own_start : integrator->state(), {}, *integrator);
   std::size_t next = 1;
   long failed_step = 0;
   long rejected = 0;
@@ -157,7 +212,8 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
         (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
     if (last.ok()) {
       const auto collapsed = dynamics.take_collapsed();
-      if (look || collapsed) last = monitor.check(now);
+      done.add_step(*integrator, before);
+      if (look || collapsed) last = monitor.check(now, done.total());
       if (last.ok() && collapsed)
         last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
       if (last.ok()) ++dynamics.counters.steps;
@@ -168,14 +224,15 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
     }
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
       if (std::abs(outputs[next] - now.t) <= near) {
-        recorder.record(output_seconds[next], now, *integrator);
+        recorder.record(output_seconds[next], now, done.total(), *integrator);
       } else {
         integrator->interpolate(outputs[next], between);
         if (last = integrator->interpolated(); !last.ok()) {
           failed_step = dynamics.counters.steps;
           break;
         }
-        recorder.record_between(output_seconds[next], between, *integrator);
+        recorder.record_between(output_seconds[next], between, done.at(*integrator, outputs[next]),
+                                done.total(), *integrator);
         ++result.interpolated_outputs;
       }
     }

@@ -56,6 +56,10 @@ class Method {
   /// or at the state; to nothing for a method without them.
   virtual void constraint_forces(double /*t*/, Eigen::VectorXd& lambda) const { lambda.resize(0); }
 
+  /// What has no potential has done in the last step, as the method itself counts it; nothing: as its states
+  /// say.
+  virtual std::optional<Work> work() const { return std::nullopt; }
+
   /// Steps tried and repeated shorter.
   virtual long rejected_steps() const { return 0; }
 };

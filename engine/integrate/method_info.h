@@ -77,6 +77,7 @@ struct MethodInfo {
   /// fastest vibration (Hairer and Wanner 1996, section IV.15). 0: of another kind.
   int stage_order = 0;
   bool keeps_energy = false;  ///< that of every motion, whatever the step
+  bool takes_damping = true;  ///< forces may depend on rates
   /// With what it damps the vibrations that its steps are too long for: "a spectral_radius below 1".
   std::string damps_with;
   VariedParameter varied;
@@ -92,6 +93,11 @@ MethodSpec plain_method(const MethodInfo& info);
 
 /// Every method there is, in the order they are to be shown.
 std::span<const MethodInfo> method_infos();
+
+/// Whether a method can integrate the case: one that is made for forces without rates takes no damping.
+inline bool takes(const MethodInfo& info, const Case& spec) {
+  return info.takes_damping || spec.damping == DampingSpec{};
+}
 
 /// The method of that name, or nullptr.
 const MethodInfo* find_method(std::string_view name);

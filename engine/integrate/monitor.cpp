@@ -63,11 +63,12 @@ Monitor::Monitor(const Cable& cable, const State& start, bool energy_bounded)
   at_hand_ = first.kinetic + first.axial + first.bending + cable.loads().size() * cable.length() + round_off;
 }
 
-double Monitor::own_time() const {
-  return 2 * std::numbers::pi * cable_.length() * std::sqrt(cable_.total_mass() / (2 * at_hand_));
+double Monitor::own_time(double duration) const {
+  const double at_hand = at_hand_ + cable_.variable_loads().size(duration) * cable_.length();
+  return 2 * std::numbers::pi * cable_.length() * std::sqrt(cable_.total_mass() / (2 * at_hand));
 }
 
-StepResult Monitor::check(const State& state) const {
+StepResult Monitor::check(const State& state, const Work& done) const {
   for (const Eigen::VectorXd* x : {&state.q, &state.v}) {
     if (x->allFinite()) continue;
     Eigen::Index at = 0;
@@ -79,12 +80,14 @@ StepResult Monitor::check(const State& state) const {
             fmt::format("the slope has collapsed: |r'| = {:.3g} is not above {:g}", collapsed->length,
                         slope_floor),
             collapsed->element};
-  const double energy = cable_.energies(state.q, state.v).total();
+  // What damping takes can only make it less.
+  const double energy = cable_.energies(state.q, state.v).total() - done.of_loads;
   if (!std::isfinite(energy)) return {Outcome::diverged, "the energy is not finite", -1};
-  if (energy_bounded_ && energy - first_energy_ > energy_growth_limit * at_hand_)
+  const double at_hand = at_hand_ + std::abs(done.of_loads);
+  if (energy_bounded_ && energy - first_energy_ > energy_growth_limit * at_hand)
     return {Outcome::unstable,
             fmt::format("the energy grew by {:.3g} times what was at hand, the bound is {:g} times",
-                        (energy - first_energy_) / at_hand_, energy_growth_limit),
+                        (energy - first_energy_) / at_hand, energy_growth_limit),
             fastest_element(cable_, state.v)};
   return {};
 }

@@ -60,6 +60,38 @@ void GeneralBlockTridiagonal<Scalar>::set_sum(const BlockTridiagonal& A, Scalar 
 }
 
 template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::add(Scalar factor, const GeneralBlockTridiagonal<double>& B) {
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    diagonal[i] += factor * B.diagonal[i].template cast<Scalar>();
+    if (i + 1 == diagonal.size()) break;
+    below[i] += factor * B.below[i].template cast<Scalar>();
+    above[i] += factor * B.above[i].template cast<Scalar>();
+  }
+}
+
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::add_element(int element, const Block12& K) {
+  const auto at = static_cast<std::size_t>(element);
+  diagonal[at] += K.topLeftCorner<6, 6>().cast<Scalar>();
+  above[at] += K.topRightCorner<6, 6>().cast<Scalar>();
+  below[at] += K.bottomLeftCorner<6, 6>().cast<Scalar>();
+  diagonal[at + 1] += K.bottomRightCorner<6, 6>().cast<Scalar>();
+}
+
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::multiply(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x,
+                                               Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& y) const {
+  y.setZero(x.size());
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const auto at = 6 * static_cast<Eigen::Index>(i);
+    y.template segment<6>(at) += diagonal[i] * x.template segment<6>(at);
+    if (i + 1 == diagonal.size()) break;
+    y.template segment<6>(at) += above[i] * x.template segment<6>(at + 6);
+    y.template segment<6>(at + 6) += below[i] * x.template segment<6>(at);
+  }
+}
+
+template <class Scalar>
 std::optional<int> BlockLu<Scalar>::factor(const GeneralBlockTridiagonal<Scalar>& A) {
   const auto nodes = static_cast<std::size_t>(A.nodes());
   pivots_.resize(nodes);

@@ -8,6 +8,9 @@
 
 namespace plumb {
 
+/// What an element gives to a matrix: the rows and columns of its two nodes.
+using Block12 = Eigen::Matrix<double, 12, 12>;
+
 /// A block tridiagonal matrix that need not be symmetric, of real or complex numbers.
 template <class Scalar>
 struct GeneralBlockTridiagonal {
@@ -23,6 +26,13 @@ struct GeneralBlockTridiagonal {
   int nodes() const { return static_cast<int>(diagonal.size()); }
   /// Becomes A + factor B; all have the same number of nodes.
   void set_sum(const BlockTridiagonal& A, Scalar factor, const BlockTridiagonal& B);
+  /// Becomes itself + factor B.
+  void add(Scalar factor, const GeneralBlockTridiagonal<double>& B);
+  /// Adds what an element gives.
+  void add_element(int element, const Block12& K);
+  /// y := A x.
+  void multiply(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x,
+                Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& y) const;
 
   std::vector<Block> diagonal;
   std::vector<Block> below;  ///< rows of the next node

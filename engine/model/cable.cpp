@@ -14,6 +14,7 @@ Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
       rigid_(spec.cable.model == CableModel::rigid),
       loads_(loads_of(spec)),
+      variable_loads_(spec),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain),
@@ -27,11 +28,13 @@ Cable::Cable(const Case& spec)
                  spec.cable.model == CableModel::chain},
       chain_(spec.cable.model == CableModel::chain ? std::optional<Chain>(constants_) : std::nullopt),
       supports_(spec.supports, spec.start.direction, spec.cable.elements + 1, spec.cable.model),
-      mass_(constants_, elements_, supports_) {
+      mass_(constants_, elements_, supports_, point_masses(spec)),
+      damping_(spec.damping, constants_, elements_) {
   // A uniform force on all mass is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = loads_.per_mass();
-  mass_.multiply(uniform, external_force_);
+  external_force_.resize(size());
+  best_kernels().mass_multiply(constants_, elements_, uniform.data(), external_force_.data());
   loads_.on_nodes().add_to(external_force_.data());
 }
 
@@ -46,8 +49,10 @@ Cable Cable::in_units(const OwnUnits& units) const {
   for (double& component : c.per_mass) component /= per_mass;
   result.element_ = Element(c.axial_stiffness, c.bending_stiffness, c.length, element_.strain_model());
   result.loads_ = loads_.in_units(units);
+  result.variable_loads_ = variable_loads_.in_units(units);
   if (chain_) result.chain_.emplace(c);
-  result.mass_ = MassMatrix(c, elements_, supports_);
+  result.mass_ = MassMatrix(c, elements_, supports_, plumb::in_units(mass_.points(), units));
+  result.damping_ = damping_.in_units(units, c);
   scale_nodal(1 / units.force(), 1 / units.moment(), result.external_force_);
   return result;
 }
@@ -55,8 +60,8 @@ Cable Cable::in_units(const OwnUnits& units) const {
 Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
   Eigen::VectorXd q(size());
   for (int node = 0; node < nodes(); ++node) {
-    q.segment<3>(6 * node) = element_.length() * node * start.direction;
-    q.segment<3>(6 * node + 3) = start.direction;
+    q.segment<3>(6 * node) = start.stretch * (element_.length() * node * start.direction);
+    q.segment<3>(6 * node + 3) = start.stretch * start.direction;
   }
   if (start.imperfection != 0)
     if (const auto buckling = first_buckling(*this, q)) q += start.imperfection * buckling->shape;
@@ -64,7 +69,7 @@ Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
 }
 
 Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
-  const Vec3 turn = start.angular_velocity.cross(start.direction);
+  const Vec3 turn = start.stretch * start.angular_velocity.cross(start.direction);
   Eigen::VectorXd v(size());
   for (int node = 0; node < nodes(); ++node) {
     v.segment<3>(6 * node) = element_.length() * node * turn;
@@ -90,11 +95,11 @@ std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) co
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
-std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a,
-                                       Eigen::VectorXd& scratch) const {
+std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a, Eigen::VectorXd& scratch,
+                                       double t, const Eigen::VectorXd* v) const {
   a.resize(size());
   const Kernels& kernels = best_kernels();
-  if (const MassFactors* factors = mass_.factors(); factors != nullptr && !chain_) {
+  if (const MassFactors* factors = mass_.factors(); factors != nullptr && !chain_ && conservative()) {
     const int collapsed =
         kernels.acceleration(constants_, elements_, *factors, loads_.on_nodes(), sums, a.data());
     return collapsed < 0 ? std::nullopt : std::optional(collapsed);
@@ -105,10 +110,40 @@ std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a
   kernels.add_up(nodes(), q.into(scratch));
   if (sums.q.result != nullptr) std::copy(scratch.begin(), scratch.end(), sums.q.result);
   const std::optional<int> collapsed = force(scratch, a);
+  if (!conservative()) add_other_forces(t, 1, scratch, *v, a);
   // What acts on held coordinates has no effect on the others, and none on itself.
   mass_.solve(a, scratch);
   kernels.add_up(nodes(), sums.after);
   return collapsed;
+}
+
+void Cable::add_other_forces(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             Eigen::VectorXd& f) const {
+  variable_loads_.add_force(t, share, q, f);
+  add_damping(q, v, f);
+}
+
+void Cable::add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const {
+  damping_.add_force(q, v, f);
+  if (damping_.by_mass() == 0) return;
+  Eigen::VectorXd momentum;
+  mass_.multiply(v, momentum);
+  f -= damping_.by_mass() * momentum;
+}
+
+void Cable::add_other_system(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             double stiffness_factor, double rate_factor,
+                             GeneralBlockTridiagonal<double>& A) const {
+  variable_loads_.add_stiffness(t, share, q, stiffness_factor, A);
+  damping_.add_system(q, v, stiffness_factor, rate_factor, A);
+}
+
+Work Cable::other_work(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                       const Eigen::VectorXd& dq) const {
+  Eigen::VectorXd of_loads = Eigen::VectorXd::Zero(size()), of_damping = of_loads;
+  variable_loads_.add_force(t, 1, q, of_loads);
+  add_damping(q, v, of_damping);
+  return {of_loads.dot(dq), -of_damping.dot(dq)};
 }
 
 void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
@@ -117,12 +152,13 @@ void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffnes
     chain_->system(q, mass_factor, stiffness_factor, A);
   else
     best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
+  mass_.add_points(mass_factor, A);
 }
 
 Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
   Energies result;
   if (chain_) {
-    result.kinetic = chain_->kinetic_energy(v);
+    result.kinetic = chain_->kinetic_energy(v) + mass_.kinetic_energy_of_points(v);
     result.axial = chain_->strain_energy(q);
   } else {
     result.kinetic = mass_.kinetic_energy(v);

@@ -7,12 +7,14 @@
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_tridiagonal.h"
 #include "engine/model/chain.h"
+#include "engine/model/damping.h"
 #include "engine/model/element.h"
 #include "engine/model/energies.h"
 #include "engine/model/load.h"
 #include "engine/model/mass.h"
 #include "engine/model/own_units.h"
 #include "engine/model/supports.h"
+#include "engine/model/variable_loads.h"
 
 namespace plumb {
 
@@ -51,7 +53,7 @@ class Cable {
   const MassMatrix& mass() const { return mass_; }
   const SupportProjection& supports() const { return supports_; }
 
-  /// Straight and unstretched, but for the imperfection of the case.
+  /// Straight and evenly stretched, but for the imperfection of the case.
   Eigen::VectorXd start_q(const StartSpec& start) const;
   /// The rates at the start, those of the rotation and of the axial speed together, with what the supports
   /// hold set to 0.
@@ -61,14 +63,36 @@ class Cable {
   /// The loads together, on its coordinates, N and N m.
   const Eigen::VectorXd& external_force() const { return external_force_; }
 
-  /// f := external minus elastic force; the forces of the supports are not in it. Returns an element whose
-  /// slope has collapsed (r'·r' ≤ slope_floor² at an integration point; of a link, λ ≤ slope_floor), for
-  /// which f is incomplete; nothing if all is well.
+  const VariableLoads& variable_loads() const { return variable_loads_; }
+  const Damping& damping() const { return damping_; }
+  /// True where all forces have a potential: there are neither variable loads nor damping.
+  bool conservative() const { return variable_loads_.empty() && damping_.none(); }
+  /// True where ∂f/∂q is symmetric, and ∂f/∂v a multiple of the mass matrix.
+  bool has_symmetric_tangent() const { return !variable_loads_.has_tangent() && !damping_.of_material(); }
+
+  /// f := f + what has no potential: `share` times the variable loads at t (s), and damping.
+  void add_other_forces(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                        Eigen::VectorXd& f) const;
+  /// The same of damping alone.
+  void add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
+  /// A := A − stiffness_factor ∂f/∂q − rate_factor ∂f/∂v of these, but for damping by mass.
+  void add_other_system(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                        double stiffness_factor, double rate_factor,
+                        GeneralBlockTridiagonal<double>& A) const;
+  /// What they do over a change dq of the coordinates, J, or in a second with rates as dq, W.
+  Work other_work(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                  const Eigen::VectorXd& dq) const;
+
+  /// f := external minus elastic force; what has no potential and the forces of the supports are not in it.
+  /// Returns an element whose slope has collapsed (r'·r' ≤ slope_floor² at an integration point; of a link, λ
+  /// ≤ slope_floor), for which f is incomplete; nothing if all is well.
   std::optional<int> force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
 
-  /// a := dv/dt, consistent with the supports, and the sums. `scratch` is given the size of q where it is
-  /// needed. Returns what `force` does.
-  std::optional<int> acceleration(const StageSums& sums, Eigen::VectorXd& a, Eigen::VectorXd& scratch) const;
+  /// a := dv/dt, at t (s) and v where not all forces have a potential, else v may be nullptr; consistent with
+  /// the supports, and the sums. `scratch` is given the size of q where it is needed. Returns what `force`
+  /// does.
+  std::optional<int> acceleration(const StageSums& sums, Eigen::VectorXd& a, Eigen::VectorXd& scratch,
+                                  double t = 0, const Eigen::VectorXd* v = nullptr) const;
 
   /// A := mass_factor · M + stiffness_factor · K(q) with K = −∂f/∂q, without supports.
   void system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
@@ -95,11 +119,13 @@ class Cable {
   int elements_;
   bool rigid_;
   LoadSum loads_;
+  VariableLoads variable_loads_;
   Element element_;
   ElementConstants constants_;
   std::optional<Chain> chain_;
   SupportProjection supports_;
   MassMatrix mass_;
+  Damping damping_;
   Eigen::VectorXd external_force_;
 };
 

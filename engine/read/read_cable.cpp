@@ -81,11 +81,4 @@ SupportsSpec read_supports(TableReader table, CableModel model) {
   return supports;
 }
 
-LoadsSpec read_loads(TableReader table) {
-  LoadsSpec loads;
-  table.read(loads);
-  table.finish();
-  return loads;
-}
-
 }  // namespace plumb

@@ -13,8 +13,8 @@ namespace {
 /// The energy-momentum method of Simo and Tarnow (1992) with a discrete gradient (Gonzalez 1996) in the place
 /// of the gradient at the midpoint:
 ///   M (vₙ₊₁ − vₙ)/h = −D(qₙ, qₙ₊₁) + f_ext,   (qₙ₊₁ − qₙ)/h = ½ (vₙ + vₙ₊₁).
-/// The work of D is the change of strain energy, so that the total energy changes by no more than what
-/// Newton's iteration leaves over, whatever the step.
+/// What has no potential acts at the midpoint. The work of D is the change of strain energy, so that the
+/// total energy changes by no more than what Newton's iteration leaves over, whatever the step.
 class EnergyMomentum : public OneStepMethod {
  public:
   EnergyMomentum(const MethodSpec& spec, Dynamics& dynamics, const State& start)
@@ -27,7 +27,7 @@ class EnergyMomentum : public OneStepMethod {
     BlockTridiagonal mass(dynamics.cable().nodes());
     dynamics.cable().system(start.q, 1, 0, mass);
     mass_ = GeneralBlockTridiagonal<double>(mass);
-    dynamics.acceleration(start.q, last_x_);
+    dynamics.acceleration(start, last_x_);
     dynamics.take_collapsed();
   }
 
@@ -53,6 +53,11 @@ class EnergyMomentum : public OneStepMethod {
       }
       cable.mass().multiply(x_, inertia_);
       residual_ += cable.external_force() - inertia_;
+      if (!cable.conservative()) {
+        middle_ = 0.5 * (from.q + to.q);
+        rates_ = from.v + (0.5 * h) * x_;
+        cable.add_other_forces(from.t + 0.5 * h, 1, middle_, rates_, residual_);
+      }
       cable.supports().apply(residual_);
       return {};
     };
@@ -64,6 +69,11 @@ class EnergyMomentum : public OneStepMethod {
     for (int i = 0; i < iterations_; ++i) {
       matrix_ = mass_;
       gradient_.add_tangent(from.q, to.q, 0.5 * h * h, matrix_);
+      if (!cable.conservative()) {
+        const double rate_factor = 0.5 * h;
+        cable.add_other_system(from.t + 0.5 * h, 1, middle_, rates_, 0.25 * h * h, rate_factor, matrix_);
+        matrix_.add(rate_factor * cable.damping().by_mass(), mass_);
+      }
       cable.supports().apply(matrix_);
       ++dynamics().counters.tangent_evaluations;
       ++dynamics().counters.factorizations;
@@ -89,6 +99,8 @@ class EnergyMomentum : public OneStepMethod {
       size = next;
       if (correction.metres <= tolerance) {
         to.v = from.v + h * x_;
+        if (!cable.conservative())
+          next_work_ = cable.other_work(from.t + 0.5 * h, middle_, rates_, to.q - from.q);
         return {};
       }
     }
@@ -104,7 +116,10 @@ class EnergyMomentum : public OneStepMethod {
   void accept() override {
     std::swap(x_, last_x_);
     last_h_ = h_;
+    work_ = next_work_;
   }
+
+  std::optional<Work> work() const override { return work_; }
 
   static constexpr int most_halvings = 6;
   /// Smaller corrections, as a share of the cable's length, are none.
@@ -118,6 +133,8 @@ class EnergyMomentum : public OneStepMethod {
   double h_ = 0, last_h_ = 0;
   Eigen::VectorXd x_, last_x_;  // mean accelerations of this step and the last
   Eigen::VectorXd residual_, inertia_, change_;
+  Eigen::VectorXd middle_, rates_;  // where and at which rates loads and damping act that have no potential
+  Work work_, next_work_;           // of these in the last step and in this one
 };
 
 }  // namespace

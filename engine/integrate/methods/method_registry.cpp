@@ -99,6 +99,9 @@ const MethodInfo& classical_explicit() {
 const MethodInfo& accurate_explicit() {
   return known("runge-kutta-nystrom");
 }
+const MethodInfo& accurate_explicit(const Case& spec) {
+  return takes(accurate_explicit(), spec) ? accurate_explicit() : embedded_explicit();
+}
 const MethodInfo& embedded_explicit() {
   return known("arkode-erk");
 }
@@ -110,6 +113,10 @@ const MethodInfo& accurate_implicit() {
 }
 const MethodInfo& energy_keeping() {
   return known("energy-momentum");
+}
+
+void leave_out_others(const Case& spec, std::vector<std::string>& names) {
+  std::erase_if(names, [&](const std::string& name) { return !takes(known(name), spec); });
 }
 
 std::vector<std::string> few_unlike_methods() {

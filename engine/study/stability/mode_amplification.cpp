@@ -28,6 +28,7 @@ struct Mode {
 Mode fastest_mode(Case spec) {
   constexpr double strain = 1e-7;
   spec.loads = {};
+  spec.damping = {};
   Cable cable(spec);
   Eigen::VectorXd straight = cable.start_q(spec.start);
   FastestVibration vibration = fastest_vibration(cable, straight);

@@ -45,10 +45,10 @@ double drawn(RandomDraw& draw, const MethodParameter& parameter) {
   return std::clamp(value, parameter.minimum, parameter.maximum) + 0.0;
 }
 
-std::vector<const MethodInfo*> methods_in_time() {
+std::vector<const MethodInfo*> methods_in_time(const Case& spec) {
   std::vector<const MethodInfo*> methods;
   for (const MethodInfo& info : method_infos())
-    if (info.dynamic) methods.push_back(&info);
+    if (info.dynamic && takes(info, spec)) methods.push_back(&info);
   return methods;
 }
 
@@ -81,7 +81,7 @@ std::vector<std::string> model_overrides(const Case& file_case, long seed, long 
 std::vector<std::string> method_overrides(const Case& file_case, const Case& model, long seed, long number) {
   constexpr double below_limit = 20, loosest = 0.3, tightest = 1e-11;
   RandomDraw draw(RandomDraw::Of::method, seed, number);
-  const MethodInfo& info = *draw.one_of(methods_in_time());
+  const MethodInfo& info = *draw.one_of(methods_in_time(file_case));
   std::vector<std::string> result{set("method.name", info.name)};
   bool fixed_step = info.takes_step && (!info.takes_tolerances || draw.coin());
   if (info.name == file_case.method.name) fixed_step = file_case.method.step.has_value();

@@ -101,7 +101,7 @@ TEST(Energy, EnergyMomentumKeepsItUnderAForceOnTheEnd) {
 
 TEST(Energy, PotentialEnergyFallsByTheForceOnTheEndTimesItsWay) {
   Case spec = pendulum(5, 4);
-  spec.loads = {.gravity = {0, 0, 0}, .end_force = {2, -3, 4}};
+  spec.loads = {.gravity = {0, 0, 0}, .end_force = {2, -3, 4}, .applied = {}};
   const Cable cable(spec);
   Eigen::VectorXd q = cable.start_q(spec.start);
   const double before = cable.energies(q, q).potential;

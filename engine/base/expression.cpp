@@ -1,10 +1,11 @@
-#include "engine/read/expression.h"
+#include "engine/base/expression.h"
 
 #include <fmt/format.h>
 #include <muParser.h>
 
 #include <algorithm>
 #include <cctype>
+#include <mutex>
 #include <numbers>
 
 namespace plumb {
@@ -48,6 +49,16 @@ mu::Parser parser_for(const std::string& expression) {
   return parser;
 }
 
+double only_result(const mu::Parser& parser, const std::string& expression) {
+  int count = 0;
+  const double* results = parser.Eval(count);
+  if (count != 1) {
+    throw ExpressionError(fmt::format("gives {} numbers instead of one (the decimal mark is a point)", count),
+                          std::min(expression.find(','), expression.size()));
+  }
+  return results[0];
+}
+
 bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -87,17 +98,37 @@ double evaluate(const std::string& expression, const std::map<std::string, doubl
     mu::Parser parser = parser_for(expression);
     // Constants rather than variables: an expression cannot assign to them.
     for (const auto& [name, value] : values) parser.DefineConst(name, value);
-    int count = 0;
-    const double* results = parser.Eval(count);
-    if (count != 1) {
-      throw ExpressionError(
-          fmt::format("gives {} numbers instead of one (the decimal mark is a point)", count),
-          std::min(expression.find(','), expression.size()));
-    }
-    return results[0];
+    return only_result(parser, expression);
   } catch (const mu::ParserError& error) {
     throw translated(error, expression);
   }
+}
+
+/// The parser writes the time, and its own scratch, while it evaluates.
+struct TimeFunction::Ready {
+  mu::Parser parser;
+  double t = 0;
+  std::mutex busy;
+};
+
+TimeFunction::TimeFunction(const std::string& expression, const std::map<std::string, double>& values)
+    : ready_(std::make_shared<Ready>()), constant_(true) {
+  for (const UsedName& used : names_in(expression)) constant_ = constant_ && used.name != "t";
+  try {
+    ready_->parser = parser_for(expression);
+    for (const auto& [name, value] : values)
+      if (name != "t") ready_->parser.DefineConst(name, value);
+    ready_->parser.DefineVar("t", &ready_->t);
+    only_result(ready_->parser, expression);
+  } catch (const mu::ParserError& error) {
+    throw translated(error, expression);
+  }
+}
+
+double TimeFunction::operator()(double t) const {
+  const std::lock_guard alone(ready_->busy);
+  ready_->t = t;
+  return ready_->parser.Eval();
 }
 
 bool is_built_in(std::string_view name) {
