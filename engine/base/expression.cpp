@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <mutex>
 #include <numbers>
 
 namespace plumb {
@@ -102,33 +101,6 @@ double evaluate(const std::string& expression, const std::map<std::string, doubl
   } catch (const mu::ParserError& error) {
     throw translated(error, expression);
   }
-}
-
-/// The parser writes the time, and its own scratch, while it evaluates.
-struct TimeFunction::Ready {
-  mu::Parser parser;
-  double t = 0;
-  std::mutex busy;
-};
-
-TimeFunction::TimeFunction(const std::string& expression, const std::map<std::string, double>& values)
-    : ready_(std::make_shared<Ready>()), constant_(true) {
-  for (const UsedName& used : names_in(expression)) constant_ = constant_ && used.name != "t";
-  try {
-    ready_->parser = parser_for(expression);
-    for (const auto& [name, value] : values)
-      if (name != "t") ready_->parser.DefineConst(name, value);
-    ready_->parser.DefineVar("t", &ready_->t);
-    only_result(ready_->parser, expression);
-  } catch (const mu::ParserError& error) {
-    throw translated(error, expression);
-  }
-}
-
-double TimeFunction::operator()(double t) const {
-  const std::lock_guard alone(ready_->busy);
-  ready_->t = t;
-  return ready_->parser.Eval();
 }
 
 bool is_built_in(std::string_view name) {

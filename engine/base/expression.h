@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,23 +35,6 @@ std::vector<UsedName> names_in(const std::string& expression);
 /// The value of an expression whose names are all among `values`; may be infinite or NaN. Throws
 /// ExpressionError.
 double evaluate(const std::string& expression, const std::map<std::string, double>& values);
-
-/// An expression in the time `t` (s), made ready once: evaluated again and again, by any thread.
-class TimeFunction {
- public:
-  /// The expression's other names are all among `values`. Throws ExpressionError.
-  TimeFunction(const std::string& expression, const std::map<std::string, double>& values);
-
-  /// May be infinite or NaN.
-  double operator()(double t) const;
-  /// False where `t` is among its names.
-  bool is_constant() const { return constant_; }
-
- private:
-  struct Ready;
-  std::shared_ptr<Ready> ready_;
-  bool constant_;
-};
 
 /// True for names that expressions keep for themselves: "pi", "sin".
 bool is_built_in(std::string_view name);

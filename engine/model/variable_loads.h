@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "engine/base/expression.h"
+#include "engine/base/time_function.h"
 #include "engine/model/block_lu.h"
 #include "engine/model/element_place.h"
 #include "engine/model/own_units.h"

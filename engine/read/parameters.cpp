@@ -10,6 +10,7 @@
 #include "engine/base/expression.h"
 #include "engine/base/nearest.h"
 #include "engine/base/number_text.h"
+#include "engine/base/time_function.h"
 
 namespace plumb {
 namespace {

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "engine/base/expression.h"
 #include "engine/base/number_text.h"
+#include "engine/base/time_function.h"
 #include "engine/integrate/method_info.h"
 #include "engine/read/case_sections.h"
 
