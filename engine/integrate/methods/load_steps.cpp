@@ -22,8 +22,14 @@ constexpr double overshoot = 10;
 /// A correction this many lengths of the cable long is one by the round-off of a singular matrix.
 constexpr double of_round_off = 1e10;
 
+/// Turn of a slope between two equilibria that are taken for neighbours on a path, at most.
+constexpr double most_turn_between = 0.5;
+/// Halvings of a load step, at most: beyond, the cable has snapped to a place far away, if to any.
+constexpr int most_halved_steps = 16;
+
 /// f(q, share t/T) − ∂U/∂q = 0 by Newton's iteration, in which all loads grow in proportion to time, beside
-/// what a factor of their own does.
+/// what a factor of their own does. A load step is halved until each equilibrium is near the one before it,
+/// and begun where the last two point to.
 /// A correction is halved until the next one, with the same matrix, is the smaller (the natural monotonicity
 /// test of Deuflhard 2004, section 3.3), which does not depend on the units of forces and moments.
 class LoadSteps : public Method {
@@ -48,7 +54,7 @@ class LoadSteps : public Method {
     const FixedSteps::Step next = steps_.next(now_.t, stop);
     end_ = stop;
     const double reached = now_.t / stop, wanted = next.end / stop;
-    StepResult result = solve(now_.q, wanted);
+    StepResult result = reach(now_.q, reached, wanted);
     if (!result.ok()) {
       result.reason = fmt::format(
           "{}equilibrium was reached at {:.6g} of the load and not at {:.6g} of it: {}",
@@ -65,8 +71,8 @@ class LoadSteps : public Method {
   /// Finds the equilibrium at the load of that time: between two load steps a cable turns, which no mean of
   /// its coordinates does without stretching it.
   void interpolate(double t, State& at) const override {
-    interpolated_ = solve(now_.q, t / end_);
-    if (!interpolated_.ok() && !solve(before_.q, t / end_).ok()) {
+    interpolated_ = reach(before_.q, before_.t / end_, t / end_);
+    if (!interpolated_.ok()) {
       interpolated_.reason = fmt::format("no equilibrium to be shown was found at {:.6g} of the load: {}",
                                          t / end_, interpolated_.reason);
       return;
@@ -80,6 +86,34 @@ class LoadSteps : public Method {
   StepResult interpolated() const override { return interpolated_; }
 
  private:
+  /// Leaves in q_ the equilibrium at a fraction of the load to which a path leads from that at another one.
+  StepResult reach(const Eigen::VectorXd& start, double from, double to) const {
+    const double shortest = std::ldexp(to - from, -most_halved_steps);
+    const double l = dynamics_.cable().element().length();
+    Eigen::VectorXd here = start, change = Eigen::VectorXd::Zero(start.size());
+    double at = from, part = to - from, last_part = 0;
+    while (at != to) {
+      const bool ends = part >= to - at;
+      if (ends) part = to - at;
+      const Eigen::VectorXd guess = last_part > 0 ? here + (part / last_part) * change : here;
+      StepResult result = solve(guess, ends ? to : at + part);
+      if (!result.ok() && last_part > 0) result = solve(here, ends ? to : at + part);
+      const bool is_near = result.ok() && greatest_turn(q_ - here, l) <= most_turn_between;
+      if (!is_near && part > shortest) {
+        part *= 0.5;
+        continue;
+      }
+      if (!result.ok()) return result;
+      change = q_ - here;
+      here = q_;
+      last_part = is_near ? part : 0;
+      at = ends ? to : at + part;
+      part *= 2;
+    }
+    q_ = here;
+    return {};
+  }
+
   /// Leaves a stable equilibrium in q_, found from the one at `from`. Whole corrections come first: they
   /// overshoot and come back where a cable that hardly stretches bends, which halved ones crawl along.
   StepResult solve(const Eigen::VectorXd& from, double fraction) const {
