@@ -150,9 +150,40 @@ void visit_keys(SpecOf<StartSpec> auto& start, auto&& visit) {
         start.stretch);
 }
 
+/// How a support moves from where its end starts, m: expressions in `t` and the parameters.
+struct MotionSpec {
+  std::string x = "0", y = "0", z = "0";
+
+  friend bool operator==(const MotionSpec&, const MotionSpec&) = default;
+};
+
+void visit_keys(SpecOf<MotionSpec> auto& motion, auto&& visit) {
+  visit(Key{.name = "x", .meaning = "motion along x", .range = Range::any("m")}, motion.x);
+  visit(Key{.name = "y", .meaning = "motion along y", .range = Range::any("m")}, motion.y);
+  visit(Key{.name = "z", .meaning = "motion along z", .range = Range::any("m")}, motion.z);
+}
+
+/// How a clamp turns from where it starts.
+struct RotationSpec {
+  Vec3 axis{0, 0, 1};       ///< a unit vector once read
+  std::string angle = "0";  ///< rad: an expression in `t` and the parameters
+
+  friend bool operator==(const RotationSpec&, const RotationSpec&) = default;
+};
+
+void visit_keys(SpecOf<RotationSpec> auto& rotation, auto&& visit) {
+  visit(Key{.name = "axis", .meaning = "axis", .required = true}, rotation.axis);
+  visit(Key{.name = "angle", .meaning = "angle", .range = Range::any("rad"), .required = true},
+        rotation.angle);
+}
+
 struct SupportsSpec {
   Support first = Support::free;
   Support last = Support::free;
+  std::optional<MotionSpec> first_motion = {}, last_motion = {};
+  std::optional<RotationSpec> first_rotation = {};
+
+  bool move() const { return first_motion || last_motion || first_rotation; }
 
   friend bool operator==(const SupportsSpec&, const SupportsSpec&) = default;
 };
@@ -160,6 +191,9 @@ struct SupportsSpec {
 void visit_keys(SpecOf<SupportsSpec> auto& supports, auto&& visit) {
   visit(Key{.name = "first", .meaning = "support of the first end"}, supports.first);
   visit(Key{.name = "last", .meaning = "support of the last end"}, supports.last);
+  visit(Key{.name = "first_motion", .meaning = "motion of the first end"}, supports.first_motion);
+  visit(Key{.name = "last_motion", .meaning = "motion of the last end"}, supports.last_motion);
+  visit(Key{.name = "first_rotation", .meaning = "rotation of the first end"}, supports.first_rotation);
 }
 
 enum class LoadKind {

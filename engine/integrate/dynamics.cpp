@@ -35,15 +35,33 @@ void Dynamics::set_rates(const Instant& at, const Scaled& x) {
   if (at.reach != 0 && x.numbers != nullptr) rates_ += (at.reach * x.factor) * Numbers(x.numbers, size());
 }
 
-void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at) {
-  ++counters.force_evaluations;
-  if (const auto element = cable_.force(q, f); element && !collapsed_) collapsed_ = element;
+Dynamics::Placed Dynamics::placed(const Eigen::VectorXd& q, double t, bool still) {
+  if (cable_.motion().none()) return {q, rates_};
+  moved_ = cable_.motion().at(t);
+  if (still) moved_ = moved_.at_rest();
+  placed_q_ = q;
+  placed_v_ = rates_;
+  moved_.add_last(placed_q_);
+  moved_.add_last_rate(placed_v_);
+  return {placed_q_, placed_v_};
+}
+
+void Dynamics::add_other_forces(const Placed& there, const Instant& at, Eigen::VectorXd& f) const {
   if (at.load != 1) f += (at.load - 1) * cable_.external_force();
-  if (!cable_.conservative()) {
-    set_rates(at);
-    cable_.add_other_forces(at.t, at.load, q, rates_, f);
-  }
+  if (!cable_.conservative()) cable_.add_other_forces(at.t, at.load, there.q, there.v, f, moved_);
+}
+
+void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at) {
+  free_force(q, f, at);
   cable_.supports().apply(f);
+}
+
+void Dynamics::free_force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at) {
+  ++counters.force_evaluations;
+  if (!cable_.conservative()) set_rates(at);
+  const Placed there = placed(q, at.t, at.still);
+  if (const auto element = cable_.force(there.q, f); element && !collapsed_) collapsed_ = element;
+  add_other_forces(there, at, f);
 }
 
 void Dynamics::acceleration(const State& state, Eigen::VectorXd& a) {
@@ -75,19 +93,20 @@ double* Dynamics::factors() {
 void Dynamics::general_system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
                               const Instant& at, double rate_factor, GeneralBlockTridiagonal<double>& A) {
   if (!system_) system_.emplace(cable_.nodes());
-  cable_.system(q, mass_factor + rate_factor * cable_.damping().by_mass(), stiffness_factor, *system_);
-  A = GeneralBlockTridiagonal<double>(*system_);
+  if (!cable_.conservative()) set_rates(at);
+  const Placed there = placed(q, at.t, at.still);
+  cable_.system(there.q, mass_factor + rate_factor * cable_.damping().by_mass(), stiffness_factor, *system_);
+  A.set(*system_);
   if (cable_.has_symmetric_tangent()) return;
-  set_rates(at);
-  cable_.add_other_system(at.t, at.load, q, rates_, stiffness_factor, rate_factor, A);
+  cable_.add_other_system(at.t, at.load, there.q, there.v, stiffness_factor, rate_factor, A, moved_);
 }
 
-void Dynamics::add_rate_product(const Eigen::VectorXd& q, const Eigen::VectorXd& b, double factor,
-                                Eigen::VectorXd& y) const {
-  if (cable_.damping().none()) return;
+void Dynamics::add_rate_product(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& b, double factor,
+                                Eigen::VectorXd& y) {
+  if (cable_.damping().none() && !cable_.motion().turns()) return;
+  set_rates({});
   Eigen::VectorXd product = Eigen::VectorXd::Zero(size());
-  // The forces of damping are linear in the rates.
-  cable_.add_damping(q, b, product);
+  cable_.add_rate_forces(placed(q, t, false).q, b, product, moved_);
   y -= factor * product;
 }
 
@@ -97,7 +116,8 @@ std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor
   ++counters.factorizations;
   const Kernels& kernels = best_kernels();
   // At rest the forces of damping do not change with q.
-  const bool at_rest = rate_factor == 0 && at.v == nullptr && at.plus.numbers == nullptr;
+  const bool at_rest = rate_factor == 0 && at.v == nullptr && at.plus.numbers == nullptr &&
+                       (at.still || !cable_.motion().turns());
   symmetric_ = cable_.has_symmetric_tangent() || (at_rest && !cable_.variable_loads().has_tangent());
   if (!symmetric_) {
     definite_ = false;
@@ -107,14 +127,16 @@ std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor
     return lu_.factor(system);
   }
   mass_factor += rate_factor * cable_.damping().by_mass();
+  if (!cable_.motion().none()) set_rates({});
+  const Eigen::VectorXd& there = placed(q, at.t, at.still).q;
   if (cable_.chain() || !cable_.mass().points().empty()) {
-    assemble(q, mass_factor, stiffness_factor);
+    assemble(there, mass_factor, stiffness_factor);
     definite_ = kernels.factor(cable_.nodes(), system_->data(), factors()) < 0;
   } else {
     definite_ = kernels.system_factors(cable_.constants(), mass_factor, stiffness_factor, cable_.elements(),
-                                       cable_.supports(), q.data(), factors()) < 0;
+                                       cable_.supports(), there.data(), factors()) < 0;
   }
-  return definite_ ? std::nullopt : factor_indefinite(q, mass_factor, stiffness_factor);
+  return definite_ ? std::nullopt : factor_indefinite(there, mass_factor, stiffness_factor);
 }
 
 std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, const NodeSpring& spring) {
@@ -178,14 +200,13 @@ StageCorrection Dynamics::correct_stepwise(const StageTerms& stage, double stiff
   };
   sum_of(stage.point(), point_);
   ++counters.force_evaluations;
-  if (const auto element = cable_.force(point_, x)) {
+  if (!cable_.conservative()) set_rates(at, stage.from);
+  const Placed here = placed(point_, at.t, at.still);
+  if (const auto element = cable_.force(here.q, x)) {
     result.unsound = *element;
     return result;
   }
-  if (!cable_.conservative()) {
-    set_rates(at, stage.from);
-    cable_.add_other_forces(at.t, at.load, point_, rates_, x);
-  }
+  add_other_forces(here, at, x);
   sum_of(stage.accelerations(), scratch_);
   cable_.mass().multiply(scratch_, inertia_);
   x = stage.force * x - stage.mass * inertia_;

@@ -7,6 +7,7 @@
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
 #include "engine/model/huge_array.h"
+#include "engine/model/support_motion.h"
 
 namespace plumb {
 
@@ -21,6 +22,7 @@ struct Instant {
   Scaled plus = {};           ///< m/s and 1/s; its numbers may be nullptr
   double reach = 0;           ///< s
   double load = 1;            ///< how much there is of all loads
+  bool still = false;         ///< supports are where they are then, but at rest: of an equilibrium
 };
 
 /// Times of a run that tolerances are held against.
@@ -37,7 +39,8 @@ struct NodeSpring {
   Eigen::Vector3d along;  ///< of the square root of its stiffness: |along|² in N/m
 };
 
-/// What a method asks of a cable during one run, with the count of what it asked. Not shared between threads.
+/// What a method asks of a cable during one run, with the count of what it asked, in coordinates relative to
+/// the supports. Not shared between threads.
 class Dynamics {
  public:
   explicit Dynamics(const Cable& cable, const RunTimes& times = {});
@@ -49,6 +52,9 @@ class Dynamics {
 
   /// f := forces on the cable (external and elastic), with those that the supports take up set to 0.
   void force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at = {});
+
+  /// The same with the forces on what the supports hold, in which theirs are not.
+  void free_force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at);
 
   /// a := dv/dt, consistent with the supports.
   void acceleration(const Eigen::VectorXd& q, Eigen::VectorXd& a) { acceleration(Sum(q), a, {}); }
@@ -79,9 +85,9 @@ class Dynamics {
   /// x := S⁻¹ x; x must be free of what the supports hold.
   void solve(Eigen::VectorXd& x) const;
 
-  /// y := y + factor · C b.
-  void add_rate_product(const Eigen::VectorXd& q, const Eigen::VectorXd& b, double factor,
-                        Eigen::VectorXd& y) const;
+  /// y := y + factor · C b, with C at t (s) and q.
+  void add_rate_product(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& b, double factor,
+                        Eigen::VectorXd& y);
 
   /// One correction of Newton's iteration for a stage, whose rates are those of `at`: x := from + the
   /// residual there, solved with the factors at hand, or, with `stiffness_factor` other than 0, with those of
@@ -102,6 +108,15 @@ class Dynamics {
                                    const Instant& at);
   /// rates_ := those of an instant, at x.
   void set_rates(const Instant& at, const Scaled& x = {});
+  /// q and v in the frame of the supports, with the displacement of the last end.
+  struct Placed {
+    const Eigen::VectorXd& q;
+    const Eigen::VectorXd& v;
+  };
+  /// Those of q and rates_. Good until the next call.
+  Placed placed(const Eigen::VectorXd& q, double t, bool still);
+  /// f := f + the loads beyond a share of 1 and what has no potential, at what `placed` gave.
+  void add_other_forces(const Placed& there, const Instant& at, Eigen::VectorXd& f) const;
   /// By row exchanges, where S is not positive definite.
   std::optional<int> factor_indefinite(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor);
   void assemble(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor);
@@ -111,6 +126,8 @@ class Dynamics {
   RunTimes times_;
   bool by_kernels_;  // all of a stage is done by the kernels
   Eigen::VectorXd scratch_, point_, inertia_, rates_;
+  MovedSupports moved_;  // where `placed` was asked for last
+  Eigen::VectorXd placed_q_, placed_v_;
   HugeArray factors_;                       // none before the first are made
   std::optional<BlockTridiagonal> system_;  // S itself, where it is wanted in full
   BlockLu<double> lu_;                      // instead, where S is not positive definite

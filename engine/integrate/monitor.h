@@ -14,10 +14,11 @@ inline constexpr double energy_growth_limit = 0.5;
 /// Looks at the state after each step and says whether it can still be believed.
 class Monitor {
  public:
+  /// Of a run of that duration, s, from a start in coordinates of the ground.
   /// `energy_bounded`: false for a load that grows, whose work the energy holds.
-  /// The energies at hand: first kinetic and strain energy, and what the loads can release, their size ×
-  /// length; to these comes what others have done.
-  Monitor(const Cable& cable, const State& start, bool energy_bounded = true);
+  /// The energies at hand: first kinetic and strain energy, what the loads can release, their size × length,
+  /// and the kinetic energy at the greatest speed of supports; to these comes what others have done.
+  Monitor(const Cable& cable, const State& start, double duration, bool energy_bounded = true);
 
   /// `completed` if the state is finite, no slope has collapsed and the energy is within its bound, if it has
   /// one.
@@ -25,11 +26,12 @@ class Monitor {
   StepResult check(const State& state, const Work& done = {}) const;
 
   double energies_at_hand() const { return at_hand_; }  ///< J
-  /// RunTimes::own of a run of that duration, s.
-  double own_time(double duration) const;
+  /// RunTimes::own.
+  double own_time() const;
 
  private:
   const Cable& cable_;
+  double duration_;  // s
   bool energy_bounded_;
   double first_energy_;  // J
   double at_hand_;       // J

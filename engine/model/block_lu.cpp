@@ -35,8 +35,7 @@ void scale_slopes(double scale, Block& block) {
 }  // namespace
 
 template <class Scalar>
-GeneralBlockTridiagonal<Scalar>::GeneralBlockTridiagonal(const BlockTridiagonal& symmetric)
-    : GeneralBlockTridiagonal(symmetric.nodes()) {
+void GeneralBlockTridiagonal<Scalar>::set(const BlockTridiagonal& symmetric) {
   for (int i = 0; i < nodes(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     diagonal[at] = full_diagonal(symmetric, i).template cast<Scalar>();
@@ -67,6 +66,19 @@ void GeneralBlockTridiagonal<Scalar>::add(Scalar factor, const GeneralBlockTridi
     below[i] += factor * B.below[i].template cast<Scalar>();
     above[i] += factor * B.above[i].template cast<Scalar>();
   }
+}
+
+void add_turned(const GeneralBlockTridiagonal<double>& B, const Eigen::Matrix3d& left,
+                const Eigen::Matrix3d& right, GeneralBlockTridiagonal<double>& A) {
+  const auto add = [&](const std::vector<Block6>& from, std::vector<Block6>& to) {
+    for (std::size_t node = 0; node < from.size(); ++node)
+      for (int i = 0; i < 6; i += 3)
+        for (int j = 0; j < 6; j += 3)
+          to[node].block<3, 3>(i, j) += left * from[node].block<3, 3>(i, j) * right;
+  };
+  add(B.diagonal, A.diagonal);
+  add(B.below, A.below);
+  add(B.above, A.above);
 }
 
 template <class Scalar>

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/model/buckling.h"
+#include "engine/model/cross_matrix.h"
 #include "engine/model/hermite.h"
 
 namespace plumb {
@@ -15,6 +16,7 @@ Cable::Cable(const Case& spec)
       rigid_(spec.cable.model == CableModel::rigid),
       loads_(loads_of(spec)),
       variable_loads_(spec),
+      motion_(spec),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain),
@@ -50,6 +52,7 @@ Cable Cable::in_units(const OwnUnits& units) const {
   result.element_ = Element(c.axial_stiffness, c.bending_stiffness, c.length, element_.strain_model());
   result.loads_ = loads_.in_units(units);
   result.variable_loads_ = variable_loads_.in_units(units);
+  result.motion_ = motion_.in_units(units);
   if (chain_) result.chain_.emplace(c);
   result.mass_ = MassMatrix(c, elements_, supports_, plumb::in_units(mass_.points(), units));
   result.damping_ = damping_.in_units(units, c);
@@ -81,7 +84,12 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
         start.axial_speed * (0.5 * std::numbers::pi / length()) * std::cos(phase) * start.direction;
   }
   supports_.apply(v);
-  return v;
+  if (motion_.none()) return v;
+  Eigen::VectorXd held = Eigen::VectorXd::Zero(size()), q = start_q(start);
+  motion_.at(0).to_ground(q, held);
+  v += held;
+  supports_.apply(held);
+  return v - held;
 }
 
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
@@ -109,41 +117,133 @@ std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a
   Sum q = sums.q;
   kernels.add_up(nodes(), q.into(scratch));
   if (sums.q.result != nullptr) std::copy(scratch.begin(), scratch.end(), sums.q.result);
-  const std::optional<int> collapsed = force(scratch, a);
-  if (!conservative()) add_other_forces(t, 1, scratch, *v, a);
+  std::optional<int> collapsed;
+  if (motion_.none()) {
+    collapsed = force(scratch, a);
+    if (!conservative()) add_other_forces(t, 1, scratch, *v, a);
+  } else {
+    const MovedSupports moved = motion_.at(t);
+    Eigen::VectorXd rates = *v;
+    moved.add_last(scratch);
+    moved.add_last_rate(rates);
+    collapsed = force(scratch, a);
+    add_other_forces(t, 1, scratch, rates, a, moved);
+  }
   // What acts on held coordinates has no effect on the others, and none on itself.
   mass_.solve(a, scratch);
   kernels.add_up(nodes(), sums.after);
   return collapsed;
 }
 
-void Cable::add_other_forces(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                             Eigen::VectorXd& f) const {
-  variable_loads_.add_force(t, share, q, f);
-  add_damping(q, v, f);
+void Cable::add_variable_loads(double t, double share, const MovedSupports& moved, const Eigen::VectorXd& q,
+                               Eigen::VectorXd& f) const {
+  if (variable_loads_.empty()) return;
+  if (!motion_.turns()) return variable_loads_.add_force(t, share, q, f);
+  Eigen::VectorXd loads = Eigen::VectorXd::Zero(size()), ground_q = q;
+  turn_vectors(moved.turn, ground_q);
+  variable_loads_.add_force(t, share, ground_q, loads);
+  turn_vectors(moved.turn.transpose(), loads);
+  f += loads;
 }
 
-void Cable::add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const {
+void Cable::add_other_forces(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             Eigen::VectorXd& f, const MovedSupports& moved) const {
+  add_variable_loads(t, share, moved, q, f);
+  if (motion_.none()) return add_damping(q, v, v, f);
+  if (motion_.turns()) {
+    Eigen::VectorXd constant = share * external_force_;
+    f -= constant;
+    turn_vectors(moved.turn.transpose(), constant);
+    f += constant;
+  }
+  add_damping(q, v, moved.ground_rates(q, v), f);
+  Eigen::VectorXd inertia;
+  mass_.multiply(moved.accelerations(q, v), inertia);
+  f -= inertia;
+}
+
+void Cable::add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& ground_v,
+                        Eigen::VectorXd& f) const {
   damping_.add_force(q, v, f);
   if (damping_.by_mass() == 0) return;
   Eigen::VectorXd momentum;
-  mass_.multiply(v, momentum);
+  mass_.multiply(ground_v, momentum);
   f -= damping_.by_mass() * momentum;
 }
 
-void Cable::add_other_system(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                             double stiffness_factor, double rate_factor,
-                             GeneralBlockTridiagonal<double>& A) const {
-  variable_loads_.add_stiffness(t, share, q, stiffness_factor, A);
-  damping_.add_system(q, v, stiffness_factor, rate_factor, A);
+void Cable::add_rate_forces(const Eigen::VectorXd& q, const Eigen::VectorXd& b, Eigen::VectorXd& f,
+                            const MovedSupports& moved) const {
+  // The forces of damping are linear in the rates.
+  add_damping(q, b, b, f);
+  if (!motion_.turns()) return;
+  MovedSupports turning;
+  turning.spin = moved.spin;
+  Eigen::VectorXd inertia;
+  mass_.multiply(turning.accelerations(Eigen::VectorXd::Zero(size()), b), inertia);
+  f -= inertia;
 }
 
-Work Cable::other_work(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+void Cable::add_other_system(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             double stiffness_factor, double rate_factor, GeneralBlockTridiagonal<double>& A,
+                             const MovedSupports& moved) const {
+  damping_.add_system(q, v, stiffness_factor, rate_factor, A);
+  if (!motion_.turns()) return variable_loads_.add_stiffness(t, share, q, stiffness_factor, A);
+  Eigen::VectorXd ground_q = q;
+  turn_vectors(moved.turn, ground_q);
+  GeneralBlockTridiagonal<double> of_loads(nodes());
+  variable_loads_.add_stiffness(t, share, ground_q, stiffness_factor, of_loads);
+  add_turned(of_loads, moved.turn.transpose(), moved.turn, A);
+  using Matrix3 = Eigen::Matrix3d;
+  BlockTridiagonal mass(nodes());
+  system(q, 1, 0, mass);
+  const Matrix3 spin = cross_matrix(moved.spin), spin_rate = cross_matrix(moved.spin_rate);
+  add_turned(
+      GeneralBlockTridiagonal<double>(mass), Matrix3::Identity(),
+      stiffness_factor * (spin_rate + spin * spin + damping_.by_mass() * spin) + 2 * rate_factor * spin, A);
+}
+
+Work Cable::other_work(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& ground_v,
                        const Eigen::VectorXd& dq) const {
   Eigen::VectorXd of_loads = Eigen::VectorXd::Zero(size()), of_damping = of_loads;
   variable_loads_.add_force(t, 1, q, of_loads);
-  add_damping(q, v, of_damping);
+  add_damping(q, ground_v, ground_v, of_damping);
   return {of_loads.dot(dq), -of_damping.dot(dq)};
+}
+
+Work Cable::power(double t, Eigen::VectorXd q, Eigen::VectorXd v) const {
+  if (motion_.none()) return other_work(t, q, v, v);
+  const MovedSupports moved = motion_.at(t);
+  moved.add_last(q);
+  moved.add_last_rate(v);
+  const Eigen::VectorXd ground_v = moved.ground_rates(q, v), carried = moved.carried_rates(q);
+  Eigen::VectorXd of_loads = Eigen::VectorXd::Zero(size()), of_damping = of_loads, momentum, scratch;
+  add_variable_loads(t, 1, moved, q, of_loads);
+  add_damping(q, v, ground_v, of_damping);
+  mass_.multiply(ground_v, momentum);
+  Work result{of_loads.dot(ground_v), -of_damping.dot(ground_v)};
+  Eigen::VectorXd constant = external_force_;
+  turn_vectors(moved.turn.transpose(), constant);
+  result.supplied -= moved.carried_accelerations(q, v).dot(momentum) +
+                     carried.dot(constant + of_loads - damping_.by_mass() * momentum);
+  if (moved.last_rate.isZero(0)) return result;
+  Eigen::VectorXd f, inertia;
+  force(q, f);
+  add_other_forces(t, 1, q, v, f, moved);
+  Eigen::VectorXd a = f;
+  mass_.solve(a, scratch);
+  mass_.multiply(a, inertia);
+  const Vec3 reaction = (inertia - f).segment<3>(size() - 6);
+  result.supplied += reaction.dot(moved.last_rate);
+  return result;
+}
+
+double Cable::carried_momentum(double t, Eigen::VectorXd q, Eigen::VectorXd v) const {
+  const MovedSupports moved = motion_.at(t);
+  moved.add_last(q);
+  moved.add_last_rate(v);
+  Eigen::VectorXd momentum;
+  mass_.multiply(moved.ground_rates(q, v), momentum);
+  return moved.carried_rates(q).dot(momentum);
 }
 
 void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,

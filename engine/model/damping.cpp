@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/model/cross_matrix.h"
 #include "engine/model/hermite.h"
 #include "engine/model/quadrature.h"
 
@@ -11,10 +12,6 @@ namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
-
-Matrix3 cross_matrix_of(const Vec3& a) {
-  return Matrix3{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
 
 Vec3 sum_of(const std::array<double, 4>& shape, const double* q) {
   Vec3 sum = Vec3::Zero();
@@ -35,8 +32,8 @@ struct Bending {
       : g(g_), c(c_), dg(dg_), dc(dc_), m(green ? 3 : 2), a(g.squaredNorm()), mu(std::pow(a, -0.5 * m)) {
     n = g.cross(c);
     k = mu * n;
-    k_by_g = -mu * cross_matrix_of(c) - (m * mu / a) * n * g.transpose();
-    k_by_c = mu * cross_matrix_of(g);
+    k_by_g = -mu * cross_matrix(c) - (m * mu / a) * n * g.transpose();
+    k_by_c = mu * cross_matrix(g);
     dk = k_by_g * dg + k_by_c * dc;
     total = k.squaredNorm() + straight * straight;
     p = (k * k.dot(dk) + straight * straight * dk) / total;
@@ -61,10 +58,10 @@ struct RateOfBending {
   explicit RateOfBending(const Bending& b) {
     const double turn = b.m * b.mu * b.g.dot(b.dg) / b.a;
     const Vec3 e = b.dg.cross(b.c) + b.g.cross(b.dc);
-    by_g = -b.mu * cross_matrix_of(b.dc) + turn * cross_matrix_of(b.c) -
+    by_g = -b.mu * cross_matrix(b.dc) + turn * cross_matrix(b.c) -
            (b.m * b.mu / b.a) * (e * b.g.transpose() + b.n * b.dg.transpose()) +
            ((b.m + 2) * turn / b.a) * b.n * b.g.transpose();
-    by_c = b.mu * cross_matrix_of(b.dg) - turn * cross_matrix_of(b.g);
+    by_c = b.mu * cross_matrix(b.dg) - turn * cross_matrix(b.g);
   }
 };
 
@@ -77,7 +74,7 @@ struct SecondOfBending {
     const Vec3 cp = b.c.cross(p), pg = p.cross(b.g);
     gg = -share * (b.g * cp.transpose() + cp * b.g.transpose() + pn * Matrix3::Identity()) +
          (share * (b.m + 2) * pn / b.a) * b.g * b.g.transpose();
-    gc = -b.mu * cross_matrix_of(p) - share * b.g * pg.transpose();
+    gc = -b.mu * cross_matrix(p) - share * b.g * pg.transpose();
   }
 };
 

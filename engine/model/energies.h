@@ -4,11 +4,11 @@ namespace plumb {
 
 /// What has no potential has done since the start, J.
 struct Work {
-  double of_loads = 0;
+  double supplied = 0;    ///< by loads, and by the motion of supports
   double dissipated = 0;  ///< by damping
 
   Work& operator+=(const Work& other) {
-    of_loads += other.of_loads;
+    supplied += other.supplied;
     dissipated += other.dissipated;
     return *this;
   }
@@ -20,7 +20,7 @@ struct Energies {
   double axial = 0;       ///< strain energy of stretching
   double bending = 0;     ///< strain energy of bending
   double potential = 0;   ///< of the loads that are constant forces
-  double work = 0;        ///< done since the start by the other loads
+  double work = 0;        ///< done since the start by the other loads and by the motion of supports
   double dissipated = 0;  ///< since the start by damping
   /// Of a state between two steps: what all these come to more than their sum at the end of the step it lies
   /// in, which is no energy that a method gained or lost.

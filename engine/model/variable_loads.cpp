@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "engine/kernels/kernels.h"
+#include "engine/model/cross_matrix.h"
 #include "engine/model/quadrature.h"
 
 namespace plumb {
 namespace {
 
 using Matrix3 = Eigen::Matrix3d;
-
-Matrix3 cross_matrix(const Vec3& a) {
-  return Matrix3{{0, -a.z(), a.y()}, {a.z(), 0, -a.x()}, {-a.y(), a.x(), 0}};
-}
 
 Vec3 combine(const std::array<double, 4>& shape, const double* q) {
   Vec3 sum = Vec3::Zero();

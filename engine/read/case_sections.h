@@ -19,7 +19,10 @@ namespace plumb {
 /// Without `elements` where the run that is reported is a given one, which has no mesh: 0 then.
 CableSpec read_cable(TableReader table, bool has_mesh = true);
 StartSpec read_start(TableReader table);
-SupportsSpec read_supports(TableReader table, CableModel model);
+SupportsSpec read_supports(TableReader table, CableModel model, const Parameters& parameters);
+/// Refuses a motion of a support that is not 0 at first, not finite or not smooth in the run, or which the
+/// method does not take.
+void check_motion(TableReader table, const Case& spec);
 /// [loads] and the [[load]] tables, of a cable that starts in `direction`.
 LoadsSpec read_loads(TableReader table, std::vector<TableReader> applied, CableModel model,
                      const Vec3& direction, const Parameters& parameters);

@@ -177,7 +177,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   spec.parameters = parameters.values();
   spec.cable = read_cable(cable, !given_only);
   spec.start = read_start(start);
-  spec.supports = read_supports(supports, spec.cable.model);
+  spec.supports = read_supports(supports, spec.cable.model, parameters);
   spec.loads = read_loads(loads, applied, spec.cable.model, spec.start.direction, parameters);
   spec.masses = read_masses(masses);
   spec.damping = read_damping(damping, spec.cable.model);
@@ -194,6 +194,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     spec.method = read_method(method, spec.time);
   }
   check_factors(applied, spec);
+  check_motion(supports, spec);
   check_damping(damping, spec);
   if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
   // The method of an external run is not known, nor yet the one that is left to the scene.

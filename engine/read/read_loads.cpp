@@ -90,7 +90,7 @@ DampingSpec read_damping(TableReader table, CableModel model) {
 
 void check_damping(const TableReader& table, const Case& spec) {
   const MethodInfo* info = find_method(spec.method.name);
-  if (info == nullptr || takes(*info, spec)) return;
+  if (info == nullptr || info->takes_damping || spec.damping == DampingSpec{}) return;
   std::string others;
   for (const MethodInfo& other : method_infos())
     if (other.dynamic && other.takes_damping) others += (others.empty() ? "" : ", ") + other.name;

@@ -50,6 +50,11 @@ class TableReader {
       field = required ? vector(key.name, key.range.unit) : vector(key.name, key.range.unit, field);
     } else if constexpr (std::is_same_v<T, std::string>) {
       field = required ? text(key.name, key.meaning) : optional_text(key.name, field);
+    } else if constexpr (requires { visit_keys(*field, [](const Key&, auto&) {}); }) {
+      if (!has(key.name)) return;
+      TableReader inner = table(key.name);
+      inner.read(field.emplace());
+      inner.finish();
     } else if (const auto given = numbers(key.name, field.size(), key.range)) {
       std::transform(given->begin(), given->end(), field.begin(),
                      [](double value) { return static_cast<typename T::value_type>(value); });

@@ -1,6 +1,7 @@
 #include "report/page/page_tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -23,8 +24,13 @@ std::string vector_text(const Document& v) {
                      v.at(2).get<double>());
 }
 
-/// A value of a key of the case.
+/// A value of a key of the case; of a table "axis (0, 0, 1), angle 6*t".
 std::string in_words(const Document& value) {
+  if (value.is_object()) {
+    std::vector<std::string> parts;
+    for (const auto& [name, part] : value.items()) parts.push_back(name + " " + in_words(part));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
   return value.is_array() ? vector_text(value) : value.is_string() ? value.get<std::string>() : exact(value);
 }
 

@@ -66,7 +66,7 @@ LoadedCable::LoadedCable(Dynamics& dynamics, const Eigen::VectorXd& start, doubl
   // The stiffness against a turn that less makes is lost in round-off; to which side the cable goes is not.
   constexpr double as_good_as_none = 1e-7, round_off = 1e-14;
   const double across = share_across(load_, axis);
-  const bool more = !the_cable.variable_loads().empty();
+  const bool more = !the_cable.variable_loads().empty() || !the_cable.motion().none();
   is_symmetric_ = !is_bent && !more && across <= as_good_as_none;
   has_a_side_ = is_bent || more || across > round_off;
 }

@@ -73,7 +73,9 @@ class LoadedCable {
  private:
   /// Greatest force on a node, N, that of a slope as moment over the length of an element.
   double greatest(const Eigen::VectorXd& residual) const;
-  Instant at(double share) const { return {.t = share * dynamics_.times().duration, .load = share}; }
+  Instant at(double share) const {
+    return {.t = share * dynamics_.times().duration, .load = share, .still = true};
+  }
   void take_out_turn(Eigen::VectorXd& x) const;
 
   Dynamics& dynamics_;

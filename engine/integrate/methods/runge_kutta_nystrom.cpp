@@ -105,6 +105,7 @@ MethodEntry runge_kutta_nystrom_entry() {
   info.use = "soft, coarse cables to high accuracy, and references";
   info.family = MethodFamily::explicit_one_step;
   info.takes_damping = false;
+  info.takes_rotation = false;
   info.takes_step = true;
   info.takes_tolerances = true;
   info.cost = {2900, 600};

@@ -170,8 +170,10 @@ MethodEntry statics_entry() {
   follow.whole = true;
   info.parameters.push_back(follow);
   return {info, [](const MethodSpec& spec, Dynamics& dynamics, const State& start) {
-            return dynamics.cable().variable_loads().empty() ? made<Statics>(spec, dynamics, start)
-                                                             : make_load_steps(spec, dynamics, start);
+            const Cable& cable = dynamics.cable();
+            return cable.variable_loads().empty() && cable.motion().none()
+                       ? made<Statics>(spec, dynamics, start)
+                       : make_load_steps(spec, dynamics, start);
           }};
 }
 

@@ -93,11 +93,8 @@ class Ida : public sundials::LibraryMethod {
 
   /// f_ := the forces on the cable but for those of the joint. Returns an element whose slope collapsed.
   std::optional<int> force(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
-    const Cable& cable = dynamics().cable();
-    ++dynamics().counters.force_evaluations;
-    const std::optional<int> collapsed = cable.force(q, f_);
-    if (!cable.conservative()) cable.add_other_forces(t, 1, q, v, f_);
-    return collapsed;
+    dynamics().free_force(q, f_, {t, v.data()});
+    return dynamics().take_collapsed();
   }
 
   static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void* user_data) {

@@ -13,6 +13,7 @@ IdaLinearSystem::IdaLinearSystem(Dynamics& dynamics, const SupportConstraints& c
 }
 
 int IdaLinearSystem::prepare(double t, N_Vector y, double leading) {
+  t_ = t;
   c_ = leading;
   q_ = q_of(y, dq_.size());
   // With a factor of c² at the mass, held rows would be judged singular beside it for short steps.
@@ -42,7 +43,7 @@ void IdaLinearSystem::solve(N_Vector solution, N_Vector right_hand_side) {
   constraints_.add_transposed(dmu, rates_);
   dynamics_.cable().mass().multiply(rates_, r_);
   r_ = b2 / (c_ * c_) + r_ / c_;
-  dynamics_.add_rate_product(q_, rates_, 1 / (c_ * c_), r_);
+  dynamics_.add_rate_product(t_, q_, rates_, 1 / (c_ * c_), r_);
 
   dq_.setZero();
   constraints_.add_transposed(held, dq_);

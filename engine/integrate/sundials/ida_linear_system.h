@@ -28,6 +28,7 @@ class IdaLinearSystem : public LinearSystem {
   Dynamics& dynamics_;
   const SupportConstraints& constraints_;
   bool stabilised_;
+  double t_ = 0;                                 // s
   double c_ = 0;                                 // 1/s
   GeneralBlockTridiagonal<double> free_system_;  // S without supports
   Eigen::VectorXd q_, dq_, z_, r_, rates_, product_;

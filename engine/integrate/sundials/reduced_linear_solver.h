@@ -20,7 +20,7 @@ class ReducedSystem : public LinearSystem {
 
  private:
   Dynamics& dynamics_;
-  double gamma_ = 0;
+  double t_ = 0, gamma_ = 0;
   Eigen::VectorXd q_, right_, momentum_, rates_;
 };
 

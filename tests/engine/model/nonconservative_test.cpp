@@ -126,7 +126,7 @@ TEST(NonconservativeForces, OfAMomentWorkOnARotationAsTheMomentDoesOnTheAngle) {
   Eigen::VectorXd rigid(cable.size());
   for (Eigen::Index i = 0; i < cable.size(); i += 3) rigid.segment<3>(i) = turn.cross(Vec3(q.segment<3>(i)));
   const Vec3 t = q.tail<3>().normalized();
-  const double work = cable.other_work(0, q, rigid, rigid).of_loads;
+  const double work = cable.other_work(0, q, rigid, rigid).supplied;
   EXPECT_NEAR(work, (moment - t.dot(moment) * t).dot(turn), 1e-13) << t.transpose();
 }
 
