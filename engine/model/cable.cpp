@@ -85,6 +85,7 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
   }
   supports_.apply(v);
   if (motion_.none()) return v;
+  // What is held goes with its support from the first instant on.
   Eigen::VectorXd held = Eigen::VectorXd::Zero(size()), q = start_q(start);
   motion_.at(0).to_ground(q, held);
   v += held;
@@ -221,11 +222,14 @@ Work Cable::power(double t, Eigen::VectorXd q, Eigen::VectorXd v) const {
   add_damping(q, v, ground_v, of_damping);
   mass_.multiply(ground_v, momentum);
   Work result{of_loads.dot(ground_v), -of_damping.dot(ground_v)};
+  // Forces within the cable do nothing on a body, so that what supports do on the carried one is d/dt of its
+  // rates · momentum, less the change of these rates · momentum and what the loads do on it.
   Eigen::VectorXd constant = external_force_;
   turn_vectors(moved.turn.transpose(), constant);
   result.supplied -= moved.carried_accelerations(q, v).dot(momentum) +
                      carried.dot(constant + of_loads - damping_.by_mass() * momentum);
   if (moved.last_rate.isZero(0)) return result;
+  // What the last end is moved against that takes its reaction.
   Eigen::VectorXd f, inertia;
   force(q, f);
   add_other_forces(t, 1, q, v, f, moved);
