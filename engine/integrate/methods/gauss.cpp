@@ -4,13 +4,13 @@
 #include <complex>
 #include <utility>
 
+#include "engine/base/dense.h"
 #include "engine/integrate/linear_stability.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/integrate/methods/one_step_method.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
 #include "engine/model/cable.h"
-#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 namespace {
@@ -57,11 +57,14 @@ struct Tableau {
     const Eigen::Matrix3d& A = table.A;
     position = A * A;
     end_position = A.transpose() * b;
-    const auto [values, columns] = eigenvectors(A);
+    const auto [values, vectors] = general_eigen(A);
+    const Eigen::Matrix3cd columns = vectors * vectors.row(0).cwiseInverse().asDiagonal();
     const Eigen::Matrix3cd rows = columns.inverse();
+    Eigen::Index real = 0;
+    values.imag().cwiseAbs().minCoeff(&real);
     for (int i = 0; i < stages; ++i) {
       const Complex lambda = values[i];
-      if (lambda.imag() == 0) {
+      if (i == real) {
         real_square = lambda.real() * lambda.real();
         real_column = columns.col(i).real();
         real_row = rows.row(i).real().transpose();

@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
-#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 

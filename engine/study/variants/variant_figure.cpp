@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "engine/base/least_squares.h"
+#include "engine/base/dense.h"
 #include "engine/case/probe_columns.h"
 #include "engine/case/variant_quantities.h"
 

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
+#include "engine/base/dense.h"
 #include "engine/integrate/method.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/model/cable.h"
@@ -25,7 +24,7 @@ double left_over(const Cable& cable, const State& from, const State& to, double 
   BlockTridiagonal A(cable.nodes());
   cable.system(q, 1, point * reach * h * h, A);
   cable.supports().apply(A);
-  const Eigen::VectorXd change = A.dense().fullPivLu().solve(f);
+  const Eigen::VectorXd change = solved(A.dense(), f);
   return correction_size(change, reach * h * h, cable.element().length()).metres;
 }
 
