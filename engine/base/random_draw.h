@@ -11,7 +11,7 @@ namespace plumb {
 class RandomDraw {
  public:
   /// What the numbers are for: each of these has its own.
-  enum class Of : std::uint32_t { model = 1, method = 2, scene = 3 };
+  enum class Of : std::uint32_t { model = 1, method = 2, scene = 3, loads = 4 };
 
   RandomDraw(Of of, long seed, long number) {
     const auto low = [](long x) { return static_cast<std::uint32_t>(x); };

@@ -38,6 +38,9 @@ std::string_view word(Support value) {
 std::string_view word(SlopeRates value) {
   return word_for(value);
 }
+std::string_view word(LoadKind value) {
+  return word_for(value);
+}
 std::string_view word(Quantity value) {
   return word_for(value);
 }

@@ -113,7 +113,7 @@ void visit_keys(SpecOf<CableSpec> auto& cable, auto&& visit) {
         cable.quadrature);
 }
 
-/// The cable starts straight and unstretched, with its first end at the origin.
+/// The cable starts straight and evenly stretched, with its first end at the origin.
 struct StartSpec {
   Vec3 direction{1, 0, 0};         ///< of the straight cable; a unit vector once read
   Vec3 angular_velocity{0, 0, 0};  ///< ω about the first end, rad/s
@@ -124,6 +124,7 @@ struct StartSpec {
   /// Greatest displacement of the start from the straight line, m, in the first buckling mode
   /// (first_buckling); negative to the other side.
   double imperfection = 0;
+  double stretch = 1;  ///< of all of it: its length over L
 
   friend bool operator==(const StartSpec&, const StartSpec&) = default;
 };
@@ -144,11 +145,45 @@ void visit_keys(SpecOf<StartSpec> auto& start, auto&& visit) {
             .meaning = "imperfection of the start, in the first buckling mode",
             .range = Range::any("m")},
         start.imperfection);
+  // A slope near the floor counts as collapsed.
+  visit(Key{.name = "stretch", .meaning = "stretch at the start", .range = Range::between(0.01, 100, "")},
+        start.stretch);
+}
+
+/// How a support moves from where its end starts, m: expressions in `t` and the parameters.
+struct MotionSpec {
+  std::string x = "0", y = "0", z = "0";
+
+  friend bool operator==(const MotionSpec&, const MotionSpec&) = default;
+};
+
+void visit_keys(SpecOf<MotionSpec> auto& motion, auto&& visit) {
+  visit(Key{.name = "x", .meaning = "motion along x", .range = Range::any("m")}, motion.x);
+  visit(Key{.name = "y", .meaning = "motion along y", .range = Range::any("m")}, motion.y);
+  visit(Key{.name = "z", .meaning = "motion along z", .range = Range::any("m")}, motion.z);
+}
+
+/// How a clamp turns from where it starts.
+struct RotationSpec {
+  Vec3 axis{0, 0, 1};       ///< a unit vector once read
+  std::string angle = "0";  ///< rad: an expression in `t` and the parameters
+
+  friend bool operator==(const RotationSpec&, const RotationSpec&) = default;
+};
+
+void visit_keys(SpecOf<RotationSpec> auto& rotation, auto&& visit) {
+  visit(Key{.name = "axis", .meaning = "axis", .required = true}, rotation.axis);
+  visit(Key{.name = "angle", .meaning = "angle", .range = Range::any("rad"), .required = true},
+        rotation.angle);
 }
 
 struct SupportsSpec {
   Support first = Support::free;
   Support last = Support::free;
+  std::optional<MotionSpec> first_motion = {}, last_motion = {};
+  std::optional<RotationSpec> first_rotation = {};
+
+  bool move() const { return first_motion || last_motion || first_rotation; }
 
   friend bool operator==(const SupportsSpec&, const SupportsSpec&) = default;
 };
@@ -156,16 +191,84 @@ struct SupportsSpec {
 void visit_keys(SpecOf<SupportsSpec> auto& supports, auto&& visit) {
   visit(Key{.name = "first", .meaning = "support of the first end"}, supports.first);
   visit(Key{.name = "last", .meaning = "support of the last end"}, supports.last);
+  visit(Key{.name = "first_motion", .meaning = "motion of the first end"}, supports.first_motion);
+  visit(Key{.name = "last_motion", .meaning = "motion of the last end"}, supports.last_motion);
+  visit(Key{.name = "first_rotation", .meaning = "rotation of the first end"}, supports.first_rotation);
+}
+
+enum class LoadKind {
+  force,        ///< N, at a place
+  moment,       ///< N m, at a place; it turns the slope there
+  distributed,  ///< N for each metre of the undeformed cable, all along it
+};
+
+/// A [[load]]. What it does to the cable is said in model/load.cpp and model/variable_loads.cpp.
+struct LoadSpec {
+  LoadKind kind = LoadKind::force;
+  double at = 0;  ///< material coordinate as a fraction of the length; 0 of a distributed one
+  Vec3 value{0, 0, 0};
+  /// It turns with the cable where it acts, by the shortest rotation from the direction at the start to that
+  /// now.
+  bool follows = false;
+  std::string factor = "1";  ///< an expression in `t` and the parameters, by which it is multiplied
+
+  friend bool operator==(const LoadSpec&, const LoadSpec&) = default;
+};
+
+void visit_keys(SpecOf<LoadSpec> auto& load, auto&& visit) {
+  visit(Key{.name = "kind", .meaning = "kind", .required = true}, load.kind);
+  visit(Key{.name = "at", .meaning = "place", .range = Range::between(0, 1, "fraction of the length")},
+        load.at);
+  visit(Key{.name = "value",
+            .meaning = "force or moment",
+            .range = Range::any("N, N m or N/m"),
+            .required = true},
+        load.value);
+  visit(Key{.name = "follows", .meaning = "turns with the cable"}, load.follows);
+  visit(Key{.name = "factor", .meaning = "factor"}, load.factor);
+}
+
+/// A [[mass]]: a point of mass on the cable.
+struct MassSpec {
+  double at = 0;    ///< material coordinate as a fraction of the length
+  double mass = 0;  ///< kg
+
+  friend bool operator==(const MassSpec&, const MassSpec&) = default;
+};
+
+void visit_keys(SpecOf<MassSpec> auto& mass, auto&& visit) {
+  visit(Key{.name = "at",
+            .meaning = "place",
+            .range = Range::between(0, 1, "fraction of the length"),
+            .required = true},
+        mass.at);
+  visit(Key{.name = "mass", .meaning = "mass", .range = Range::positive("kg"), .required = true}, mass.mass);
+}
+
+/// What damps the motion. What it does to the cable is said in model/damping.h.
+struct DampingSpec {
+  double mass = 0;      ///< 1/s: a force of this times M v against the motion
+  double material = 0;  ///< s: of Kelvin and Voigt, stresses of this times the rates of strain
+
+  friend bool operator==(const DampingSpec&, const DampingSpec&) = default;
+};
+
+void visit_keys(SpecOf<DampingSpec> auto& damping, auto&& visit) {
+  visit(Key{.name = "mass", .meaning = "damping by mass", .range = Range::at_least(0, "1/s")}, damping.mass);
+  visit(Key{.name = "material", .meaning = "damping of the material", .range = Range::at_least(0, "s")},
+        damping.material);
 }
 
 /// What a load does to the cable is said in model/load.cpp.
 struct LoadsSpec {
-  Vec3 gravity{0, 0, 0};    ///< m/s²
-  Vec3 end_force{0, 0, 0};  ///< on the last end, in a fixed direction, N
+  Vec3 gravity{0, 0, 0};          ///< m/s²
+  Vec3 end_force{0, 0, 0};        ///< on the last end, in a fixed direction, N
+  std::vector<LoadSpec> applied;  ///< the [[load]] tables
 
   friend bool operator==(const LoadsSpec&, const LoadsSpec&) = default;
 };
 
+/// All but the [[load]] tables.
 void visit_keys(SpecOf<LoadsSpec> auto& loads, auto&& visit) {
   visit(Key{.name = "gravity", .meaning = "gravity", .range = Range::any("m/s²")}, loads.gravity);
   visit(Key{.name = "end_force", .meaning = "force on the last end", .range = Range::any("N")},
@@ -312,6 +415,8 @@ struct Case {
   StartSpec start;
   SupportsSpec supports;
   LoadsSpec loads;
+  std::vector<MassSpec> masses;
+  DampingSpec damping;
   MethodSpec method;
   TimeSpec time;
   std::vector<ProbeSpec> probes;
@@ -344,9 +449,11 @@ void visit_motion(SpecOf<Case> auto& spec, auto&& visit) {
   visit("start", spec.start);
   visit("supports", spec.supports);
   visit("loads", spec.loads);
+  visit("damping", spec.damping);
 }
 
-/// The work-precision study of a case: what its table says, or the defaults where it has none.
+/// The work-precision study of a case: what its table says, or the defaults where it has none, of the methods
+/// that take the case.
 WorkPrecisionSpec work_precision_of(const Case& spec);
 
 /// The words that case files use: "green-geometric", "full", "pinned", "rigid", "position", "max".
@@ -355,6 +462,7 @@ std::string_view word(StrainModel);
 std::string_view word(QuadratureRule);
 std::string_view word(Support);
 std::string_view word(SlopeRates);
+std::string_view word(LoadKind);
 std::string_view word(Quantity);
 std::string_view word(Norm);
 

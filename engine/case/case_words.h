@@ -51,6 +51,13 @@ inline constexpr std::array words_of<SlopeRates>{
 };
 
 template <>
+inline constexpr std::array words_of<LoadKind>{
+    Word<LoadKind>{LoadKind::force, "force"},
+    Word<LoadKind>{LoadKind::moment, "moment"},
+    Word<LoadKind>{LoadKind::distributed, "distributed"},
+};
+
+template <>
 inline constexpr std::array words_of<Quantity>{
     Word<Quantity>{Quantity::position, "position"},
     Word<Quantity>{Quantity::velocity, "velocity"},

@@ -10,6 +10,7 @@
 
 #include "engine/case/case.h"
 #include "engine/integrate/linear_stability.h"
+#include "engine/integrate/method.h"
 #include "engine/integrate/method_roles.h"
 #include "engine/model/cable.h"
 #include "engine/model/greatest_eigenfrequency.h"
@@ -187,7 +188,7 @@ class Adviser {
   /// Others, with the same step or tolerances of their own.
   void add_methods(std::vector<Candidate>& result) const {
     const auto add = [&](const MethodInfo& other, bool by_step) {
-      if (other.name == method_.name) return;
+      if (other.name == method_.name || !takes(other, cable_)) return;
       MethodSpec with = plain_method(other);
       if (by_step)
         with.step = method_.step;
@@ -201,7 +202,7 @@ class Adviser {
       add(energy_keeping(), true);
       add(usual_implicit(), true);
     }
-    add(accurate_explicit(), false);
+    add(takes(accurate_explicit(), cable_) ? accurate_explicit() : embedded_explicit(), false);
     add(usual_implicit(), false);
   }
 
@@ -223,9 +224,14 @@ class Adviser {
     }
     if (info_.keeps_energy) return half_the_step();
     if (keeps_every_vibration(method_))
-      return fmt::format("{}, {} with {}, or {}", energy_keeping().name, usual_implicit().name,
-                         usual_implicit().damps_with, half_the_step());
-    return half_the_step() + ", or " + energy_keeping().name;
+      return fmt::format("{}{} with {}, or {}",
+                         takes(energy_keeping(), cable_) ? energy_keeping().name + ", " : "",
+                         usual_implicit().name, usual_implicit().damps_with, half_the_step());
+    return half_the_step() + or_energy_keeping();
+  }
+
+  std::string or_energy_keeping() const {
+    return takes(energy_keeping(), cable_) ? ", or " + energy_keeping().name : "";
   }
 
   std::string on_no_convergence() const {
@@ -238,7 +244,7 @@ class Adviser {
           text += fmt::format("newton_iterations of {:g} as by default, ", parameter.fallback);
       text += half_the_step();
       if (info_.takes_tolerances) text += ", rtol in the place of a step so that it can be cut";
-      if (!info_.keeps_energy) text += ", or " + energy_keeping().name;
+      if (!info_.keeps_energy) text += or_energy_keeping();
       return text;
     }
     return fmt::format("looser tolerances than rtol = {:g} and atol = {:g}, more elements, or another method",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/integrate/state.h"
 #include "engine/model/cable.h"
 #include "engine/model/inertia.h"
 
@@ -17,23 +18,62 @@ Dynamics::Dynamics(const Cable& cable, const RunTimes& times)
                .newton_iterations = 0},
       cable_(cable),
       times_(times),
+      by_kernels_(!cable.chain() && cable.mass().points().empty() && cable.conservative()),
       scratch_(cable.size()) {}
 
 int Dynamics::size() const {
   return cable_.size();
 }
 
-void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) {
-  ++counters.force_evaluations;
-  if (const auto element = cable_.force(q, f); element && !collapsed_) collapsed_ = element;
+void Dynamics::set_rates(const Instant& at, const Scaled& x) {
+  using Numbers = Eigen::Map<const Eigen::VectorXd>;
+  if (at.v == nullptr)
+    rates_.setZero(size());
+  else if (at.v != rates_.data())
+    rates_ = Numbers(at.v, size());
+  if (at.plus.numbers != nullptr) rates_ += at.plus.factor * Numbers(at.plus.numbers, size());
+  if (at.reach != 0 && x.numbers != nullptr) rates_ += (at.reach * x.factor) * Numbers(x.numbers, size());
+}
+
+Dynamics::Placed Dynamics::placed(const Eigen::VectorXd& q, double t, bool still) {
+  if (cable_.motion().none()) return {q, rates_};
+  moved_ = cable_.motion().at(t);
+  if (still) moved_ = moved_.at_rest();
+  placed_q_ = q;
+  placed_v_ = rates_;
+  moved_.add_last(placed_q_);
+  moved_.add_last_rate(placed_v_);
+  return {placed_q_, placed_v_};
+}
+
+void Dynamics::add_other_forces(const Placed& there, const Instant& at, Eigen::VectorXd& f) const {
+  if (at.load != 1) f += (at.load - 1) * cable_.external_force();
+  if (!cable_.conservative()) cable_.add_other_forces(at.t, at.load, there.q, there.v, f, moved_);
+}
+
+void Dynamics::force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at) {
+  free_force(q, f, at);
   cable_.supports().apply(f);
 }
 
-void Dynamics::acceleration(const Sum& q, Eigen::VectorXd& a, std::initializer_list<Sum> before,
-                            std::initializer_list<Sum> after) {
+void Dynamics::free_force(const Eigen::VectorXd& q, Eigen::VectorXd& f, const Instant& at) {
   ++counters.force_evaluations;
+  if (!cable_.conservative()) set_rates(at);
+  const Placed there = placed(q, at.t, at.still);
+  if (const auto element = cable_.force(there.q, f); element && !collapsed_) collapsed_ = element;
+  add_other_forces(there, at, f);
+}
+
+void Dynamics::acceleration(const State& state, Eigen::VectorXd& a) {
+  acceleration(Sum(state.q), a, {state.t, state.v.data()});
+}
+
+void Dynamics::acceleration(const Sum& q, Eigen::VectorXd& a, const Instant& at,
+                            std::initializer_list<Sum> before, std::initializer_list<Sum> after) {
+  ++counters.force_evaluations;
+  if (!cable_.conservative()) set_rates(at);
   if (const auto element = cable_.acceleration(
-          {q, {before.begin(), before.size()}, {after.begin(), after.size()}}, a, scratch_);
+          {q, {before.begin(), before.size()}, {after.begin(), after.size()}}, a, scratch_, at.t, &rates_);
       element && !collapsed_)
     collapsed_ = element;
 }
@@ -50,23 +90,59 @@ double* Dynamics::factors() {
   return factors_.data();
 }
 
-std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor) {
+void Dynamics::general_system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
+                              const Instant& at, double rate_factor, GeneralBlockTridiagonal<double>& A) {
+  if (!system_) system_.emplace(cable_.nodes());
+  if (!cable_.conservative()) set_rates(at);
+  const Placed there = placed(q, at.t, at.still);
+  cable_.system(there.q, mass_factor + rate_factor * cable_.damping().by_mass(), stiffness_factor, *system_);
+  A.set(*system_);
+  if (cable_.has_symmetric_tangent()) return;
+  cable_.add_other_system(at.t, at.load, there.q, there.v, stiffness_factor, rate_factor, A, moved_);
+}
+
+void Dynamics::add_rate_product(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& b, double factor,
+                                Eigen::VectorXd& y) {
+  if (cable_.damping().none() && !cable_.motion().turns()) return;
+  set_rates({});
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(size());
+  cable_.add_rate_forces(placed(q, t, false).q, b, product, moved_);
+  y -= factor * product;
+}
+
+std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
+                                    const Instant& at, double rate_factor) {
   ++counters.tangent_evaluations;
   ++counters.factorizations;
   const Kernels& kernels = best_kernels();
-  if (cable_.chain()) {
-    assemble(q, mass_factor, stiffness_factor);
+  // At rest the forces of damping do not change with q.
+  const bool at_rest = rate_factor == 0 && at.v == nullptr && at.plus.numbers == nullptr &&
+                       (at.still || !cable_.motion().turns());
+  symmetric_ = cable_.has_symmetric_tangent() || (at_rest && !cable_.variable_loads().has_tangent());
+  if (!symmetric_) {
+    definite_ = false;
+    GeneralBlockTridiagonal<double> system(cable_.nodes());
+    general_system(q, mass_factor, stiffness_factor, at, rate_factor, system);
+    cable_.supports().apply(system);
+    return lu_.factor(system);
+  }
+  mass_factor += rate_factor * cable_.damping().by_mass();
+  if (!cable_.motion().none()) set_rates({});
+  const Eigen::VectorXd& there = placed(q, at.t, at.still).q;
+  if (cable_.chain() || !cable_.mass().points().empty()) {
+    assemble(there, mass_factor, stiffness_factor);
     definite_ = kernels.factor(cable_.nodes(), system_->data(), factors()) < 0;
   } else {
     definite_ = kernels.system_factors(cable_.constants(), mass_factor, stiffness_factor, cable_.elements(),
-                                       cable_.supports(), q.data(), factors()) < 0;
+                                       cable_.supports(), there.data(), factors()) < 0;
   }
-  return definite_ ? std::nullopt : factor_indefinite(q, mass_factor, stiffness_factor);
+  return definite_ ? std::nullopt : factor_indefinite(there, mass_factor, stiffness_factor);
 }
 
 std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, const NodeSpring& spring) {
   ++counters.tangent_evaluations;
   ++counters.factorizations;
+  symmetric_ = true;
   assemble(q, 0, 1);
   system_->diagonal(spring.node).topLeftCorner<3, 3>() += spring.along * spring.along.transpose();
   definite_ = best_kernels().factor(cable_.nodes(), system_->data(), factors()) < 0;
@@ -76,6 +152,7 @@ std::optional<int> Dynamics::factor(const Eigen::VectorXd& q, const NodeSpring& 
 std::optional<int> Dynamics::factor_indefinite(const Eigen::VectorXd& q, double mass_factor,
                                                double stiffness_factor) {
   definite_ = false;
+  symmetric_ = true;
   ++counters.tangent_evaluations;
   ++counters.factorizations;
   assemble(q, mass_factor, stiffness_factor);
@@ -84,6 +161,7 @@ std::optional<int> Dynamics::factor_indefinite(const Eigen::VectorXd& q, double 
 
 std::optional<int> Dynamics::negative_eigenvalues() const {
   if (definite_) return 0;
+  if (!symmetric_) return std::nullopt;
   const std::optional<int> counted = plumb::negative_eigenvalues(*system_);
   return counted == 0 ? std::nullopt : counted;
 }
@@ -95,9 +173,10 @@ void Dynamics::solve(Eigen::VectorXd& x) const {
     lu_.solve(x);
 }
 
-StageCorrection Dynamics::correct(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x) {
+StageCorrection Dynamics::correct(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x,
+                                  const Instant& at) {
   const bool renews = stiffness_factor != 0;
-  if (cable_.chain() || !(definite_ || renews)) return correct_stepwise(stage, stiffness_factor, x);
+  if (!by_kernels_ || !(definite_ || renews)) return correct_stepwise(stage, stiffness_factor, x, at);
   x.resize(size());
   ++counters.force_evaluations;
   counters.tangent_evaluations += renews ? 1 : 0;
@@ -106,13 +185,13 @@ StageCorrection Dynamics::correct(const StageTerms& stage, double stiffness_fact
       best_kernels().correct(cable_.constants(), cable_.elements(), cable_.supports(),
                              cable_.loads().on_nodes(), stage, stiffness_factor, factors(), x.data());
   if (renews) definite_ = result.singular < 0;
-  if (result.unsound < 0 && !definite_) return correct_stepwise(stage, stiffness_factor, x);
+  if (result.unsound < 0 && !definite_) return correct_stepwise(stage, stiffness_factor, x, at);
   if (result.unsound < 0) ++counters.newton_iterations;
   return result;
 }
 
 StageCorrection Dynamics::correct_stepwise(const StageTerms& stage, double stiffness_factor,
-                                           Eigen::VectorXd& x) {
+                                           Eigen::VectorXd& x, const Instant& at) {
   StageCorrection result;
   const auto sum_of = [&](const Sum& sum, Eigen::VectorXd& to) {
     to.resize(size());
@@ -121,10 +200,13 @@ StageCorrection Dynamics::correct_stepwise(const StageTerms& stage, double stiff
   };
   sum_of(stage.point(), point_);
   ++counters.force_evaluations;
-  if (const auto element = cable_.force(point_, x)) {
+  if (!cable_.conservative()) set_rates(at, stage.from);
+  const Placed here = placed(point_, at.t, at.still);
+  if (const auto element = cable_.force(here.q, x)) {
     result.unsound = *element;
     return result;
   }
+  add_other_forces(here, at, x);
   sum_of(stage.accelerations(), scratch_);
   cable_.mass().multiply(scratch_, inertia_);
   x = stage.force * x - stage.mass * inertia_;
@@ -134,8 +216,10 @@ StageCorrection Dynamics::correct_stepwise(const StageTerms& stage, double stiff
   if (stage.known.numbers != nullptr) x += array_of(stage.known);
   cable_.supports().apply(x);
   if (stiffness_factor != 0) {
-    const auto node = cable_.chain() ? factor(point_, stage.mass, stiffness_factor)
-                                     : factor_indefinite(point_, stage.mass, stiffness_factor);
+    const Instant there{at.t, rates_.data(), {}, 0, at.load};
+    const auto node = by_kernels_
+                          ? factor_indefinite(point_, stage.mass, stiffness_factor)
+                          : factor(point_, stage.mass, stiffness_factor, there, stage.force * at.reach);
     if (node) {
       result.singular = *node;
       return result;

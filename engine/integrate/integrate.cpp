@@ -12,6 +12,7 @@
 #include "engine/integrate/processor_time.h"
 #include "engine/integrate/symmetric_motion.h"
 #include "engine/model/cable.h"
+#include "engine/model/quadrature.h"
 #include "engine/model/support_constraints.h"
 
 namespace plumb {
@@ -30,6 +31,93 @@ constexpr long steps_between_looks = 64;
 /// are long, as on fine meshes, sixteen of them would go far beyond the time allowed.
 constexpr long work_between_clocks = 20000;
 
+/// Follows what has no potential does, as far as there is any.
+class WorkDone {
+ public:
+  WorkDone(const Cable& cable, const State& start, bool dynamic)
+      : cable_(cable), any_(dynamic && !cable.conservative()), carried_(carried(start)) {}
+
+  /// Up to the end of the last step.
+  const Work& total() const { return total_; }
+  /// Up to t within it.
+  Work at(const Method& method, double t) {
+    Work work = before_;
+    if (!any_) return work;
+    work += between(method, from_, t);
+    method.interpolate(t, state_);
+    work.supplied += carried(state_) - carried_before_;
+    return work;
+  }
+  /// A step was taken, from a time on (s).
+  void add_step(const Method& method, double from) {
+    if (!any_) return;
+    before_ = total_;
+    from_ = from;
+    carried_before_ = carried_;
+    carried_ = carried(method.state());
+    if (const std::optional<Work> own = method.work()) {
+      total_ += *own;
+    } else {
+      total_ += between(method, from, method.state().t);
+      total_.supplied += carried_ - carried_before_;
+    }
+  }
+
+ private:
+  /// By Gauss's rule, from the method's own interpolation.
+  Work between(const Method& method, double from, double to) {
+    constexpr int points = 3;
+    Work sum;
+    for (const QuadraturePoint& point : gauss_rule(points)) {
+      method.interpolate(from + point.x * (to - from), state_);
+      const Work power = cable_.power(state_.t, state_.q, state_.v);
+      const double weight = point.weight * (to - from);
+      sum += {weight * power.supplied, weight * power.dissipated};
+    }
+    return sum;
+  }
+
+  double carried(const State& state) const {
+    return any_ && !cable_.motion().none() ? cable_.carried_momentum(state.t, state.q, state.v) : 0;
+  }
+
+  const Cable& cable_;
+  bool any_;
+  double carried_, carried_before_ = 0;  // Cable::carried_momentum at the ends of the last step, J
+  double from_ = 0;                      // s
+  Work before_, total_;
+  State state_;
+};
+
+/// A state as seen from the ground.
+class GroundView {
+ public:
+  /// `dynamic`: false of equilibria, which have no rates.
+  GroundView(const Cable& cable, bool dynamic) : cable_(cable), dynamic_(dynamic) {}
+
+  /// Of one that is relative to the supports. Good until the next call.
+  const State& of(const State& relative) {
+    if (cable_.motion().none()) return relative;
+    state_ = relative;
+    cable_.motion().at(relative.t).to_ground(state_.q, state_.v);
+    if (!dynamic_) state_.v.setZero();
+    return state_;
+  }
+
+  /// The other way.
+  State relative(State ground) const {
+    if (cable_.motion().none()) return ground;
+    cable_.motion().at(ground.t).to_relative(ground.q, ground.v);
+    cable_.supports().apply(ground.v);
+    return ground;
+  }
+
+ private:
+  const Cable& cable_;
+  bool dynamic_;
+  State state_;
+};
+
 State in_units(const State& start, const OwnUnits& units) {
   State result = start;
   result.t /= units.time;
@@ -38,37 +126,54 @@ State in_units(const State& start, const OwnUnits& units) {
   return result;
 }
 
-/// Writes outputs down, in m, s and kg again.
+/// Writes outputs down, in m, s and kg again and as seen from the ground.
 class Recorder {
  public:
-  Recorder(const Cable& cable, const OwnUnits& units, Trajectory& trajectory)
-      : cable_(cable), units_(units), trajectory_(trajectory) {}
+  /// `start`: relative to the supports, in own units.
+  Recorder(const Cable& cable, const Cable& own_cable, bool dynamic, const State& start,
+           const OwnUnits& units, Trajectory& trajectory)
+      : cable_(cable),
+        own_cable_(own_cable),
+        view_(own_cable, dynamic),
+        start_(start.q),
+        units_(units),
+        trajectory_(trajectory) {}
 
-  /// `state` at the output time t (s), of the last step of `method`, in its own units.
-  void record(double t, const State& state, const Method& method) {
-    record(t, state);
-    record_extras(state.t, method);
+  /// `state` at the output time t (s), of the last step of `method`, in its own units, as is what has been
+  /// done.
+  void record(double t, const State& state, const Work& done, const Method& method) {
+    record(t, state, done);
+    record_extras(state, method);
   }
 
-  /// The same of a state between the last two steps.
-  void record_between(double t, const State& state, const Method& method) {
-    record(t, state);
+  /// The same of a state between the last two steps, at the later of which it is `at_step`.
+  void record_between(double t, const State& state, const Work& done, const Work& at_step,
+                      const Method& method) {
+    record(t, state, done);
     Energies& energies = trajectory_.energies.back();
-    const State end = in_si(method.state());
-    energies.interpolation = energies.total() - cable_.energies(end.q, end.v).total();
-    record_extras(state.t, method);
+    energies.interpolation = energies.total() - energies_of(in_si(method.state()), at_step).total();
+    record_extras(state, method);
   }
 
  private:
-  State in_si(State state) const {
+  State in_si(const State& own) {
+    State state = view_.of(own);
     scale_nodal(units_.length, 1, state.q);
     scale_nodal(units_.length / units_.time, 1 / units_.time, state.v);
     return state;
   }
 
-  void record(double t, const State& own) {
+  /// Of a state in m and s, and of work in own units.
+  Energies energies_of(const State& state, const Work& done) const {
+    Energies result = cable_.energies(state.q, state.v);
+    result.work = done.supplied * units_.moment();
+    result.dissipated = done.dissipated * units_.moment();
+    return result;
+  }
+
+  void record(double t, const State& own, const Work& done) {
     State state = in_si(own);
-    trajectory_.energies.push_back(cable_.energies(state.q, state.v));
+    trajectory_.energies.push_back(energies_of(state, done));
     cable_.set_output_slopes(state.q, state.v);
     trajectory_.times.push_back(t);
     trajectory_.q.push_back(std::move(state.q));
@@ -77,21 +182,25 @@ class Recorder {
 
   /// What a method has beside the state of an output that was just recorded: the stability of an equilibrium,
   /// the multipliers of joints and how far these have drifted.
-  void record_extras(double t, const Method& method) {
-    if (const auto negative = method.negative_eigenvalues(t))
+  void record_extras(const State& state, const Method& method) {
+    if (const auto negative = method.negative_eigenvalues(state.t))
       trajectory_.equilibria.negative_eigenvalues.push_back(*negative);
-    method.constraint_forces(t, lambda_);
+    method.constraint_forces(state.t, lambda_);
     if (lambda_.size() == 0) return;
     const SupportConstraints constraints(cable_.supports().spec(), cable_.supports().direction(),
                                          cable_.nodes());
     constraints.scale(units_.force(), units_.moment(), lambda_);
+    if (own_cable_.motion().turns()) constraints.turn(own_cable_.motion().at(state.t).turn, lambda_);
     trajectory_.multipliers.push_back(lambda_);
-    Eigen::VectorXd moved = trajectory_.q.back() - trajectory_.q.front();
-    scale_nodal(1, cable_.length(), moved);
+    Eigen::VectorXd moved = state.q - start_;
+    scale_nodal(units_.length, cable_.length(), moved);
     trajectory_.constraint_drift = std::max(trajectory_.constraint_drift, constraints.apply(moved).norm());
   }
 
   const Cable& cable_;
+  const Cable& own_cable_;
+  GroundView view_;
+  Eigen::VectorXd start_;
   const OwnUnits& units_;
   Trajectory& trajectory_;
   Eigen::VectorXd lambda_;
@@ -111,20 +220,24 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
 
   const OwnUnits units = OwnUnits::of(cable.length(), time.end, cable.total_mass());
   const Cable own_cable = cable.in_units(units);
-  const State own_start = in_units(start, units);
+  const State ground_start = in_units(start, units);
   MethodSpec own_method = method;
   if (own_method.step) *own_method.step /= units.time;
   const double end = time.end / units.time;
 
   const MethodInfo* info = find_method(method.name);
-  const Monitor monitor(own_cable, own_start, info == nullptr || info->dynamic);
+  const bool dynamic = info == nullptr || info->dynamic;
+  GroundView view(own_cable, dynamic);
+  const State own_start = view.relative(ground_start);
+  const Monitor monitor(own_cable, ground_start, end, dynamic);
+  WorkDone done(own_cable, own_start, dynamic);
   Dynamics dynamics(own_cable, {monitor.own_time(), end});
   const std::vector<double> output_seconds = output_times(time);
   std::vector<double> outputs = output_seconds;
   for (double& t : outputs) t /= units.time;
   const double near = same_time * (time.output_interval / units.time);
   State between = own_start;
-  Recorder recorder(cable, units, result);
+  Recorder recorder(cable, own_cable, dynamic, own_start, units, result);
 
   const double processor_started = processor_seconds();
   const auto started = std::chrono::steady_clock::now();
@@ -132,11 +245,11 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
   const std::unique_ptr<Method> integrator = make_method(own_method, dynamics, own_start);
-  StepResult last = monitor.check(own_start);
+  StepResult last = monitor.check(ground_start);
   // A start that is not even finite has nothing to show.
   if (last.outcome != Outcome::diverged)
     // Statics begins with an equilibrium that is found from the start.
-    recorder.record(start.t, info == nullptr || info->dynamic ? own_start : integrator->state(), *integrator);
+    recorder.record(start.t, dynamic ? own_start : integrator->state(), {}, *integrator);
   std::size_t next = 1;
   long failed_step = 0;
   long rejected = 0;
@@ -157,7 +270,8 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
         (dynamics.counters.steps + 1) % steps_between_looks == 0 || outputs[next] <= now.t + near;
     if (last.ok()) {
       const auto collapsed = dynamics.take_collapsed();
-      if (look || collapsed) last = monitor.check(now);
+      done.add_step(*integrator, before);
+      if (look || collapsed) last = monitor.check(view.of(now), done.total());
       if (last.ok() && collapsed)
         last = {Outcome::singular, "the slope collapsed within the step", *collapsed};
       if (last.ok()) ++dynamics.counters.steps;
@@ -168,14 +282,15 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
     }
     for (; next < outputs.size() && outputs[next] <= now.t + near; ++next) {
       if (std::abs(outputs[next] - now.t) <= near) {
-        recorder.record(output_seconds[next], now, *integrator);
+        recorder.record(output_seconds[next], now, done.total(), *integrator);
       } else {
         integrator->interpolate(outputs[next], between);
         if (last = integrator->interpolated(); !last.ok()) {
           failed_step = dynamics.counters.steps;
           break;
         }
-        recorder.record_between(output_seconds[next], between, *integrator);
+        recorder.record_between(output_seconds[next], between, done.at(*integrator, outputs[next]),
+                                done.total(), *integrator);
         ++result.interpolated_outputs;
       }
     }

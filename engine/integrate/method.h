@@ -56,6 +56,10 @@ class Method {
   /// or at the state; to nothing for a method without them.
   virtual void constraint_forces(double /*t*/, Eigen::VectorXd& lambda) const { lambda.resize(0); }
 
+  /// What has no potential has done in the last step, as the method itself counts it; nothing: as its states
+  /// say.
+  virtual std::optional<Work> work() const { return std::nullopt; }
+
   /// Steps tried and repeated shorter.
   virtual long rejected_steps() const { return 0; }
 };
@@ -77,8 +81,11 @@ struct MethodEntry {
   MakeMethod make_rigid = nullptr;  ///< for a rigid rod (CableModel::rigid), where the method takes one
 };
 
+/// Whether a method can integrate what acts on a cable, as takes(info, spec).
+bool takes(const MethodInfo& info, const Cable& cable);
+
 /// Makes the method that `spec` names, for a rigid rod where the cable is one. Throws std::invalid_argument
-/// for an unknown name, and for a method that takes no rigid rod.
+/// for an unknown name, and for a method that does not take the cable.
 std::unique_ptr<Method> make_method(const MethodSpec& spec, Dynamics& dynamics, const State& start);
 
 }  // namespace plumb

@@ -76,7 +76,9 @@ struct MethodInfo {
   /// Of an implicit Runge-Kutta method: down to it the order is reduced where steps are long against the
   /// fastest vibration (Hairer and Wanner 1996, section IV.15). 0: of another kind.
   int stage_order = 0;
-  bool keeps_energy = false;  ///< that of every motion, whatever the step
+  bool keeps_energy = false;   ///< that of every motion, whatever the step
+  bool takes_damping = true;   ///< forces may depend on rates
+  bool takes_rotation = true;  ///< an end may be turned, which adds forces that depend on rates
   /// With what it damps the vibrations that its steps are too long for: "a spectral_radius below 1".
   std::string damps_with;
   VariedParameter varied;
@@ -92,6 +94,12 @@ MethodSpec plain_method(const MethodInfo& info);
 
 /// Every method there is, in the order they are to be shown.
 std::span<const MethodInfo> method_infos();
+
+/// Whether a method can integrate the case: one that is made for forces without rates takes no damping.
+inline bool takes(const MethodInfo& info, const Case& spec) {
+  return (info.takes_damping || spec.damping == DampingSpec{}) &&
+         (info.takes_rotation || !spec.supports.first_rotation);
+}
 
 /// The method of that name, or nullptr.
 const MethodInfo* find_method(std::string_view name);

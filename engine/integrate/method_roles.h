@@ -15,6 +15,8 @@ const MethodInfo& usual_explicit();
 const MethodInfo& classical_explicit();
 /// Of high order, with a fixed step or tolerances, and without equations to solve.
 const MethodInfo& accurate_explicit();
+/// The same for a case: embedded_explicit() where the former does not take it.
+const MethodInfo& accurate_explicit(const Case& spec);
 /// Embedded pairs, with tolerances and an `order` of 5 or 8 among others. They have nothing in common with
 /// `accurate_explicit` but the forces.
 const MethodInfo& embedded_explicit();
@@ -26,6 +28,9 @@ const MethodInfo& accurate_implicit();
 const MethodInfo& energy_keeping();
 /// The one that a rigid rod is integrated by.
 const MethodInfo& rigid_rod_method();
+
+/// Takes the names of methods out of a list that do not take a case.
+void leave_out_others(const Case& spec, std::vector<std::string>& names);
 
 /// Names of a few as unlike as can be, for a comparison of seconds.
 std::vector<std::string> few_unlike_methods();

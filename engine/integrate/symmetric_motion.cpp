@@ -61,7 +61,7 @@ bool grows(const Cable& cable, const Eigen::VectorXd& q, const Matrix3& P, doubl
 double unstable_since(const Cable& cable, const Trajectory& run) {
   constexpr std::size_t most_looks = 32, most_elements = 65536;  // looked at, in all
   constexpr double growth = 1e3, least_share = 0.25;
-  if (cable.is_rigid() || run.q.size() < 2 || !(run.times.back() > 0)) return -1;
+  if (cable.is_rigid() || !cable.conservative() || run.q.size() < 2 || !(run.times.back() > 0)) return -1;
   const double rate = std::log(growth) / run.times.back();
   const std::size_t wished =
       std::clamp(most_elements / static_cast<std::size_t>(cable.elements()), std::size_t{1}, most_looks);

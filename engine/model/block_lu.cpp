@@ -35,8 +35,7 @@ void scale_slopes(double scale, Block& block) {
 }  // namespace
 
 template <class Scalar>
-GeneralBlockTridiagonal<Scalar>::GeneralBlockTridiagonal(const BlockTridiagonal& symmetric)
-    : GeneralBlockTridiagonal(symmetric.nodes()) {
+void GeneralBlockTridiagonal<Scalar>::set(const BlockTridiagonal& symmetric) {
   for (int i = 0; i < nodes(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     diagonal[at] = full_diagonal(symmetric, i).template cast<Scalar>();
@@ -56,6 +55,51 @@ void GeneralBlockTridiagonal<Scalar>::set_sum(const BlockTridiagonal& A, Scalar 
     if (i + 1 == nodes()) break;
     below[at] = A.below(i).template cast<Scalar>() + factor * B.below(i).template cast<Scalar>();
     above[at] = below[at].transpose();
+  }
+}
+
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::add(Scalar factor, const GeneralBlockTridiagonal<double>& B) {
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    diagonal[i] += factor * B.diagonal[i].template cast<Scalar>();
+    if (i + 1 == diagonal.size()) break;
+    below[i] += factor * B.below[i].template cast<Scalar>();
+    above[i] += factor * B.above[i].template cast<Scalar>();
+  }
+}
+
+void add_turned(const GeneralBlockTridiagonal<double>& B, const Eigen::Matrix3d& left,
+                const Eigen::Matrix3d& right, GeneralBlockTridiagonal<double>& A) {
+  const auto add = [&](const std::vector<Block6>& from, std::vector<Block6>& to) {
+    for (std::size_t node = 0; node < from.size(); ++node)
+      for (int i = 0; i < 6; i += 3)
+        for (int j = 0; j < 6; j += 3)
+          to[node].block<3, 3>(i, j) += left * from[node].block<3, 3>(i, j) * right;
+  };
+  add(B.diagonal, A.diagonal);
+  add(B.below, A.below);
+  add(B.above, A.above);
+}
+
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::add_element(int element, const Block12& K) {
+  const auto at = static_cast<std::size_t>(element);
+  diagonal[at] += K.topLeftCorner<6, 6>().cast<Scalar>();
+  above[at] += K.topRightCorner<6, 6>().cast<Scalar>();
+  below[at] += K.bottomLeftCorner<6, 6>().cast<Scalar>();
+  diagonal[at + 1] += K.bottomRightCorner<6, 6>().cast<Scalar>();
+}
+
+template <class Scalar>
+void GeneralBlockTridiagonal<Scalar>::multiply(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x,
+                                               Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& y) const {
+  y.setZero(x.size());
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const auto at = 6 * static_cast<Eigen::Index>(i);
+    y.template segment<6>(at) += diagonal[i] * x.template segment<6>(at);
+    if (i + 1 == diagonal.size()) break;
+    y.template segment<6>(at) += above[i] * x.template segment<6>(at + 6);
+    y.template segment<6>(at + 6) += below[i] * x.template segment<6>(at);
   }
 }
 

@@ -8,6 +8,9 @@
 
 namespace plumb {
 
+/// What an element gives to a matrix: the rows and columns of its two nodes.
+using Block12 = Eigen::Matrix<double, 12, 12>;
+
 /// A block tridiagonal matrix that need not be symmetric, of real or complex numbers.
 template <class Scalar>
 struct GeneralBlockTridiagonal {
@@ -18,16 +21,32 @@ struct GeneralBlockTridiagonal {
       : diagonal(static_cast<std::size_t>(nodes), Block::Zero()),
         below(static_cast<std::size_t>(nodes - 1), Block::Zero()),
         above(static_cast<std::size_t>(nodes - 1), Block::Zero()) {}
-  explicit GeneralBlockTridiagonal(const BlockTridiagonal& symmetric);
+  explicit GeneralBlockTridiagonal(const BlockTridiagonal& symmetric)
+      : GeneralBlockTridiagonal(symmetric.nodes()) {
+    set(symmetric);
+  }
 
   int nodes() const { return static_cast<int>(diagonal.size()); }
+  /// Becomes that matrix, with the same number of nodes.
+  void set(const BlockTridiagonal& symmetric);
   /// Becomes A + factor B; all have the same number of nodes.
   void set_sum(const BlockTridiagonal& A, Scalar factor, const BlockTridiagonal& B);
+  /// Becomes itself + factor B.
+  void add(Scalar factor, const GeneralBlockTridiagonal<double>& B);
+  /// Adds what an element gives.
+  void add_element(int element, const Block12& K);
+  /// y := A x.
+  void multiply(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x,
+                Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& y) const;
 
   std::vector<Block> diagonal;
   std::vector<Block> below;  ///< rows of the next node
   std::vector<Block> above;  ///< columns of the next node
 };
+
+/// A := A + B with its 3 by 3 blocks b replaced by left · b · right.
+void add_turned(const GeneralBlockTridiagonal<double>& B, const Eigen::Matrix3d& left,
+                const Eigen::Matrix3d& right, GeneralBlockTridiagonal<double>& A);
 
 /// LU factors of a block tridiagonal matrix with row exchanges within each block, for the matrices that are
 /// not symmetric positive definite: that of a cable in strong compression, that of a discrete gradient, the

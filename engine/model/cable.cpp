@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/model/buckling.h"
+#include "engine/model/cross_matrix.h"
 #include "engine/model/hermite.h"
 
 namespace plumb {
@@ -14,6 +15,8 @@ Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
       rigid_(spec.cable.model == CableModel::rigid),
       loads_(loads_of(spec)),
+      variable_loads_(spec),
+      motion_(spec),
       element_(spec.cable.youngs_modulus * spec.cable.area,
                spec.cable.youngs_modulus * spec.cable.second_moment, spec.cable.length / spec.cable.elements,
                spec.cable.strain),
@@ -27,11 +30,13 @@ Cable::Cable(const Case& spec)
                  spec.cable.model == CableModel::chain},
       chain_(spec.cable.model == CableModel::chain ? std::optional<Chain>(constants_) : std::nullopt),
       supports_(spec.supports, spec.start.direction, spec.cable.elements + 1, spec.cable.model),
-      mass_(constants_, elements_, supports_) {
+      mass_(constants_, elements_, supports_, point_masses(spec)),
+      damping_(spec.damping, constants_, elements_) {
   // A uniform force on all mass is a field that the element can represent, so ∫ ρA sᵢ g dx = M g exactly.
   Eigen::VectorXd uniform = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < nodes(); ++node) uniform.segment<3>(6 * node) = loads_.per_mass();
-  mass_.multiply(uniform, external_force_);
+  external_force_.resize(size());
+  best_kernels().mass_multiply(constants_, elements_, uniform.data(), external_force_.data());
   loads_.on_nodes().add_to(external_force_.data());
 }
 
@@ -46,8 +51,11 @@ Cable Cable::in_units(const OwnUnits& units) const {
   for (double& component : c.per_mass) component /= per_mass;
   result.element_ = Element(c.axial_stiffness, c.bending_stiffness, c.length, element_.strain_model());
   result.loads_ = loads_.in_units(units);
+  result.variable_loads_ = variable_loads_.in_units(units);
+  result.motion_ = motion_.in_units(units);
   if (chain_) result.chain_.emplace(c);
-  result.mass_ = MassMatrix(c, elements_, supports_);
+  result.mass_ = MassMatrix(c, elements_, supports_, plumb::in_units(mass_.points(), units));
+  result.damping_ = damping_.in_units(units, c);
   scale_nodal(1 / units.force(), 1 / units.moment(), result.external_force_);
   return result;
 }
@@ -55,8 +63,8 @@ Cable Cable::in_units(const OwnUnits& units) const {
 Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
   Eigen::VectorXd q(size());
   for (int node = 0; node < nodes(); ++node) {
-    q.segment<3>(6 * node) = element_.length() * node * start.direction;
-    q.segment<3>(6 * node + 3) = start.direction;
+    q.segment<3>(6 * node) = start.stretch * (element_.length() * node * start.direction);
+    q.segment<3>(6 * node + 3) = start.stretch * start.direction;
   }
   if (start.imperfection != 0)
     if (const auto buckling = first_buckling(*this, q)) q += start.imperfection * buckling->shape;
@@ -64,7 +72,7 @@ Eigen::VectorXd Cable::start_q(const StartSpec& start) const {
 }
 
 Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
-  const Vec3 turn = start.angular_velocity.cross(start.direction);
+  const Vec3 turn = start.stretch * start.angular_velocity.cross(start.direction);
   Eigen::VectorXd v(size());
   for (int node = 0; node < nodes(); ++node) {
     v.segment<3>(6 * node) = element_.length() * node * turn;
@@ -76,7 +84,12 @@ Eigen::VectorXd Cable::start_v(const StartSpec& start) const {
         start.axial_speed * (0.5 * std::numbers::pi / length()) * std::cos(phase) * start.direction;
   }
   supports_.apply(v);
-  return v;
+  if (motion_.none()) return v;
+  Eigen::VectorXd held = Eigen::VectorXd::Zero(size()), q = start_q(start);
+  motion_.at(0).to_ground(q, held);
+  v += held;
+  supports_.apply(held);
+  return v - held;
 }
 
 std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
@@ -90,11 +103,11 @@ std::optional<int> Cable::force(const Eigen::VectorXd& q, Eigen::VectorXd& f) co
   return collapsed < 0 ? std::nullopt : std::optional(collapsed);
 }
 
-std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a,
-                                       Eigen::VectorXd& scratch) const {
+std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a, Eigen::VectorXd& scratch,
+                                       double t, const Eigen::VectorXd* v) const {
   a.resize(size());
   const Kernels& kernels = best_kernels();
-  if (const MassFactors* factors = mass_.factors(); factors != nullptr && !chain_) {
+  if (const MassFactors* factors = mass_.factors(); factors != nullptr && !chain_ && conservative()) {
     const int collapsed =
         kernels.acceleration(constants_, elements_, *factors, loads_.on_nodes(), sums, a.data());
     return collapsed < 0 ? std::nullopt : std::optional(collapsed);
@@ -104,11 +117,133 @@ std::optional<int> Cable::acceleration(const StageSums& sums, Eigen::VectorXd& a
   Sum q = sums.q;
   kernels.add_up(nodes(), q.into(scratch));
   if (sums.q.result != nullptr) std::copy(scratch.begin(), scratch.end(), sums.q.result);
-  const std::optional<int> collapsed = force(scratch, a);
+  std::optional<int> collapsed;
+  if (motion_.none()) {
+    collapsed = force(scratch, a);
+    if (!conservative()) add_other_forces(t, 1, scratch, *v, a);
+  } else {
+    const MovedSupports moved = motion_.at(t);
+    Eigen::VectorXd rates = *v;
+    moved.add_last(scratch);
+    moved.add_last_rate(rates);
+    collapsed = force(scratch, a);
+    add_other_forces(t, 1, scratch, rates, a, moved);
+  }
   // What acts on held coordinates has no effect on the others, and none on itself.
   mass_.solve(a, scratch);
   kernels.add_up(nodes(), sums.after);
   return collapsed;
+}
+
+void Cable::add_variable_loads(double t, double share, const MovedSupports& moved, const Eigen::VectorXd& q,
+                               Eigen::VectorXd& f) const {
+  if (variable_loads_.empty()) return;
+  if (!motion_.turns()) return variable_loads_.add_force(t, share, q, f);
+  Eigen::VectorXd loads = Eigen::VectorXd::Zero(size()), ground_q = q;
+  turn_vectors(moved.turn, ground_q);
+  variable_loads_.add_force(t, share, ground_q, loads);
+  turn_vectors(moved.turn.transpose(), loads);
+  f += loads;
+}
+
+void Cable::add_other_forces(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             Eigen::VectorXd& f, const MovedSupports& moved) const {
+  add_variable_loads(t, share, moved, q, f);
+  if (motion_.none()) return add_damping(q, v, v, f);
+  if (motion_.turns()) {
+    Eigen::VectorXd constant = share * external_force_;
+    f -= constant;
+    turn_vectors(moved.turn.transpose(), constant);
+    f += constant;
+  }
+  add_damping(q, v, moved.ground_rates(q, v), f);
+  Eigen::VectorXd inertia;
+  mass_.multiply(moved.accelerations(q, v), inertia);
+  f -= inertia;
+}
+
+void Cable::add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& ground_v,
+                        Eigen::VectorXd& f) const {
+  damping_.add_force(q, v, f);
+  if (damping_.by_mass() == 0) return;
+  Eigen::VectorXd momentum;
+  mass_.multiply(ground_v, momentum);
+  f -= damping_.by_mass() * momentum;
+}
+
+void Cable::add_rate_forces(const Eigen::VectorXd& q, const Eigen::VectorXd& b, Eigen::VectorXd& f,
+                            const MovedSupports& moved) const {
+  // The forces of damping are linear in the rates.
+  add_damping(q, b, b, f);
+  if (!motion_.turns()) return;
+  MovedSupports turning;
+  turning.spin = moved.spin;
+  Eigen::VectorXd inertia;
+  mass_.multiply(turning.accelerations(Eigen::VectorXd::Zero(size()), b), inertia);
+  f -= inertia;
+}
+
+void Cable::add_other_system(double t, double share, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                             double stiffness_factor, double rate_factor, GeneralBlockTridiagonal<double>& A,
+                             const MovedSupports& moved) const {
+  damping_.add_system(q, v, stiffness_factor, rate_factor, A);
+  if (!motion_.turns()) return variable_loads_.add_stiffness(t, share, q, stiffness_factor, A);
+  Eigen::VectorXd ground_q = q;
+  turn_vectors(moved.turn, ground_q);
+  GeneralBlockTridiagonal<double> of_loads(nodes());
+  variable_loads_.add_stiffness(t, share, ground_q, stiffness_factor, of_loads);
+  add_turned(of_loads, moved.turn.transpose(), moved.turn, A);
+  using Matrix3 = Eigen::Matrix3d;
+  BlockTridiagonal mass(nodes());
+  system(q, 1, 0, mass);
+  const Matrix3 spin = cross_matrix(moved.spin), spin_rate = cross_matrix(moved.spin_rate);
+  add_turned(
+      GeneralBlockTridiagonal<double>(mass), Matrix3::Identity(),
+      stiffness_factor * (spin_rate + spin * spin + damping_.by_mass() * spin) + 2 * rate_factor * spin, A);
+}
+
+Work Cable::other_work(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& ground_v,
+                       const Eigen::VectorXd& dq) const {
+  Eigen::VectorXd of_loads = Eigen::VectorXd::Zero(size()), of_damping = of_loads;
+  variable_loads_.add_force(t, 1, q, of_loads);
+  add_damping(q, ground_v, ground_v, of_damping);
+  return {of_loads.dot(dq), -of_damping.dot(dq)};
+}
+
+Work Cable::power(double t, Eigen::VectorXd q, Eigen::VectorXd v) const {
+  if (motion_.none()) return other_work(t, q, v, v);
+  const MovedSupports moved = motion_.at(t);
+  moved.add_last(q);
+  moved.add_last_rate(v);
+  const Eigen::VectorXd ground_v = moved.ground_rates(q, v), carried = moved.carried_rates(q);
+  Eigen::VectorXd of_loads = Eigen::VectorXd::Zero(size()), of_damping = of_loads, momentum, scratch;
+  add_variable_loads(t, 1, moved, q, of_loads);
+  add_damping(q, v, ground_v, of_damping);
+  mass_.multiply(ground_v, momentum);
+  Work result{of_loads.dot(ground_v), -of_damping.dot(ground_v)};
+  Eigen::VectorXd constant = external_force_;
+  turn_vectors(moved.turn.transpose(), constant);
+  result.supplied -= moved.carried_accelerations(q, v).dot(momentum) +
+                     carried.dot(constant + of_loads - damping_.by_mass() * momentum);
+  if (moved.last_rate.isZero(0)) return result;
+  Eigen::VectorXd f, inertia;
+  force(q, f);
+  add_other_forces(t, 1, q, v, f, moved);
+  Eigen::VectorXd a = f;
+  mass_.solve(a, scratch);
+  mass_.multiply(a, inertia);
+  const Vec3 reaction = (inertia - f).segment<3>(size() - 6);
+  result.supplied += reaction.dot(moved.last_rate);
+  return result;
+}
+
+double Cable::carried_momentum(double t, Eigen::VectorXd q, Eigen::VectorXd v) const {
+  const MovedSupports moved = motion_.at(t);
+  moved.add_last(q);
+  moved.add_last_rate(v);
+  Eigen::VectorXd momentum;
+  mass_.multiply(moved.ground_rates(q, v), momentum);
+  return moved.carried_rates(q).dot(momentum);
 }
 
 void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffness_factor,
@@ -117,12 +252,13 @@ void Cable::system(const Eigen::VectorXd& q, double mass_factor, double stiffnes
     chain_->system(q, mass_factor, stiffness_factor, A);
   else
     best_kernels().system(constants_, mass_factor, stiffness_factor, elements_, q.data(), A.data());
+  mass_.add_points(mass_factor, A);
 }
 
 Energies Cable::energies(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
   Energies result;
   if (chain_) {
-    result.kinetic = chain_->kinetic_energy(v);
+    result.kinetic = chain_->kinetic_energy(v) + mass_.kinetic_energy_of_points(v);
     result.axial = chain_->strain_energy(q);
   } else {
     result.kinetic = mass_.kinetic_energy(v);

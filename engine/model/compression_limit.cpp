@@ -9,6 +9,7 @@ namespace plumb {
 std::optional<OverloadedElement> overloaded_element(const Cable& cable, const Eigen::VectorXd& q,
                                                     double fraction) {
   const bool first_free = !cable.supports().first().position, last_free = !cable.supports().last().position;
+  if (!cable.variable_loads().empty()) return std::nullopt;
   if (!cable.constants().green || (!first_free && !last_free)) return std::nullopt;
   const auto load = [&](int node) -> Vec3 { return fraction * cable.external_force().segment<3>(6 * node); };
   OverloadedElement hardest{-1, green_compression_limit};

@@ -166,11 +166,7 @@ void DiscreteGradient::add_tangent(const Eigen::VectorXd& q0, const Eigen::Vecto
     Vector12 D = Vector12::Zero();
     Matrix12 K = Matrix12::Zero();
     add_element(q0.data() + 6 * e, q1.data() + 6 * e, D, &K);
-    const auto at = static_cast<std::size_t>(e);
-    A.diagonal[at] += factor * K.topLeftCorner<6, 6>();
-    A.above[at] += factor * K.topRightCorner<6, 6>();
-    A.below[at] += factor * K.bottomLeftCorner<6, 6>();
-    A.diagonal[at + 1] += factor * K.bottomRightCorner<6, 6>();
+    A.add_element(e, factor * K);
   }
 }
 

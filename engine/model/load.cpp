@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/model/variable_loads.h"
+
 namespace plumb {
 namespace {
 
@@ -14,6 +16,19 @@ Load end_force(const CableSpec& cable, const Vec3& force) {
   return {{0, 0, 0}, {{cable.elements, {force.x(), force.y(), force.z()}}}, force.norm()};
 }
 
+Load uniform(const CableSpec& cable, const Vec3& force) {
+  return {force / (cable.density * cable.area), {}, cable.length * force.norm()};
+}
+
+Load point_force(const CableSpec& cable, double s, const Vec3& force) {
+  const auto [element, place] = place_on_cable(cable, s);
+  Load load{{0, 0, 0}, {{element, {}}, {element + 1, {}}}, force.norm()};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (int k = 0; k < 3; ++k)
+      load.on_nodes[i / 2].force[3 * (i % 2) + static_cast<std::size_t>(k)] = place.position[i] * force[k];
+  return load;
+}
+
 }  // namespace
 
 std::vector<Load> loads_of(const Case& spec) {
@@ -23,6 +38,18 @@ std::vector<Load> loads_of(const Case& spec) {
   };
   add(weight, spec.loads.gravity);
   add(end_force, spec.loads.end_force);
+  const auto add_at = [&](double s, const Vec3& value) {
+    if (!value.isZero(0)) loads.push_back(point_force(spec.cable, s, value));
+  };
+  for (const MassSpec& mass : spec.masses) add_at(mass.at, mass.mass * spec.loads.gravity);
+  for (const LoadSpec& load : spec.loads.applied) {
+    if (!is_constant(load, spec.parameters)) continue;
+    const Vec3 value = TimeFunction(load.factor, spec.parameters)(0) * load.value;
+    if (load.kind == LoadKind::distributed)
+      add(uniform, value);
+    else
+      add_at(load.at, value);
+  }
   return loads;
 }
 

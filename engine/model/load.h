@@ -16,7 +16,8 @@ struct Load {
   double size = 0;                  ///< of all its forces, N; times a length, energy that it can release
 };
 
-/// The loads of a case on a mesh of equal elements, one for each that is there.
+/// The constant loads of a case on a mesh of equal elements, one for each that is there: its weight, that of
+/// each mass on it, and forces that do not change (VariableLoads has the others).
 std::vector<Load> loads_of(const Case& spec);
 
 /// Constant loads added up.

@@ -5,17 +5,40 @@
 #include <vector>
 
 #include "engine/kernels/kernels.h"
+#include "engine/model/block_tridiagonal.h"
+#include "engine/model/element_place.h"
+#include "engine/model/own_units.h"
 #include "engine/model/supports.h"
 
 namespace plumb {
 
-/// The constant, consistent mass matrix ∫ ρA sᵢsⱼ dx of a mesh of equal elements. It is m ⊗ I₃ with a scalar
-/// band matrix m of half bandwidth 3 over (r₀, r'₀, r₁, r'₁, …); it is factored once, with the supports
-/// applied.
+/// A mass on an element: m sᵢsⱼ with the shape functions of its place.
+struct PointMass {
+  int element;
+  std::array<double, 4> shape;  ///< 1 and m
+  double mass;                  ///< kg
+};
+
+/// The masses of a case. Those of a chain are shared out between the ends of their links, as its own are.
+std::vector<PointMass> point_masses(const Case& spec);
+
+/// The same masses in those units.
+std::vector<PointMass> in_units(std::vector<PointMass> points, const OwnUnits& units);
+
+/// The constant, consistent mass matrix ∫ ρA sᵢsⱼ dx of a mesh of equal elements, with masses on it. It is m
+/// ⊗ I₃ with a scalar band matrix m of half bandwidth 3 over (r₀, r'₀, r₁, r'₁, …); it is factored once, with
+/// the supports applied.
 class MassMatrix {
  public:
   /// ρA and l of `element` must be > 0.
-  MassMatrix(const ElementConstants& element, int elements, const SupportProjection& supports);
+  MassMatrix(const ElementConstants& element, int elements, const SupportProjection& supports,
+             std::vector<PointMass> points = {});
+
+  const std::vector<PointMass>& points() const { return points_; }
+  /// A := A + factor times the masses that are points.
+  void add_points(double factor, BlockTridiagonal& A) const;
+  /// ½ vᵀ M v of these alone, J.
+  double kinetic_energy_of_points(const Eigen::VectorXd& v) const;
 
   /// y := M v, without supports. y gets the size of v.
   void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& y) const;
@@ -45,6 +68,7 @@ class MassMatrix {
   ElementConstants element_;
   int elements_;
   SupportProjection supports_;
+  std::vector<PointMass> points_;
   std::shared_ptr<const Factors> across_;  // for motion across the held direction
   std::shared_ptr<const Factors> along_;   // for motion along it; only with a direction held
 };

@@ -35,6 +35,13 @@ class SupportConstraints {
       x.template segment<3>(rows_[i].at) += lambda[static_cast<Eigen::Index>(i)] * rows_[i].direction;
   }
 
+  /// Turns the forces among the multipliers, those of positions.
+  void turn(const Eigen::Matrix3d& by, Eigen::VectorXd& lambda) const {
+    for (std::size_t i = 0; i < rows_.size(); i += rows_[i].at % 6 == 0 ? 3 : 1)
+      if (const auto at = static_cast<Eigen::Index>(i); rows_[i].at % 6 == 0)
+        lambda.segment<3>(at) = (by * lambda.segment<3>(at)).eval();
+  }
+
   /// Multiplies the multipliers of positions and of slopes each by its factor.
   void scale(double positions, double slopes, Eigen::VectorXd& lambda) const {
     for (std::size_t i = 0; i < rows_.size(); ++i)

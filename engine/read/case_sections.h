@@ -19,8 +19,20 @@ namespace plumb {
 /// Without `elements` where the run that is reported is a given one, which has no mesh: 0 then.
 CableSpec read_cable(TableReader table, bool has_mesh = true);
 StartSpec read_start(TableReader table);
-SupportsSpec read_supports(TableReader table, CableModel model);
-LoadsSpec read_loads(TableReader table);
+SupportsSpec read_supports(TableReader table, CableModel model, const Parameters& parameters);
+/// Refuses a motion of a support that is not 0 at first, not finite or not smooth in the run, or which the
+/// method does not take.
+void check_motion(TableReader table, const Case& spec);
+/// [loads] and the [[load]] tables, of a cable that starts in `direction`.
+LoadsSpec read_loads(TableReader table, std::vector<TableReader> applied, CableModel model,
+                     const Vec3& direction, const Parameters& parameters);
+/// Refuses a [[load]] whose factor is not a finite number at all times of the run.
+void check_factors(const std::vector<TableReader>& applied, const Case& spec);
+std::vector<MassSpec> read_masses(std::vector<TableReader> tables);
+/// Refuses what a model and a method cannot take of `table`.
+DampingSpec read_damping(TableReader table, CableModel model);
+/// Refuses damping for a method that is made for forces without rates.
+void check_damping(const TableReader& table, const Case& spec);
 /// `end` (s) is where the time ends unless the table says so.
 TimeSpec read_time(TableReader table, std::optional<double> end = {});
 
@@ -100,7 +112,8 @@ WorkPrecisionSpec read_work_precision(TableReader table, const CableSpec& cable,
 StabilitySpec read_stability(TableReader table, const std::map<std::string, double>& parameters,
                              const CableSpec& cable, const TimeSpec& time);
 
-/// The stability study of a case: what its table says, or the defaults where it has none.
+/// The stability study of a case: what its table says, or the defaults where it has none, of the methods that
+/// take the case.
 StabilitySpec stability_of(const Case& spec);
 
 /// [study.sweep]; an empty table gives the defaults.

@@ -37,7 +37,8 @@ std::string difference_of_motion(const GivenRun& run, const Case& spec) {
                                 spec.cable, "in the file");
   for (const auto& [name, same] :
        {std::pair{"start", own.start == spec.start}, std::pair{"supports", own.supports == spec.supports},
-        std::pair{"loads", own.loads == spec.loads}})
+        std::pair{"loads", own.loads == spec.loads}, std::pair{"masses", own.masses == spec.masses},
+        std::pair{"damping", own.damping == spec.damping}})
     if (!same) text += fmt::format("{}its {} {}", text.empty() ? "" : "; ", name, "differ");
   return text;
 }
@@ -157,6 +158,8 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     root.refuse_value("title", fmt::format("must be at most {} bytes long", longest_title));
   const TableReader cable = root.required_table("cable", "a table [cable]"), start = root.table("start");
   const TableReader supports = root.table("supports"), loads = root.table("loads");
+  const std::vector<TableReader> applied = root.tables("load"), masses = root.tables("mass");
+  const TableReader damping = root.table("damping");
   std::vector<TableReader> runs = root.tables("run");
   const bool given_only = extent == Extent::everything && !runs.empty() && !root.has("method");
   const TableReader method = given_only ? root.table("method")
@@ -174,8 +177,10 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   spec.parameters = parameters.values();
   spec.cable = read_cable(cable, !given_only);
   spec.start = read_start(start);
-  spec.supports = read_supports(supports, spec.cable.model);
-  spec.loads = read_loads(loads);
+  spec.supports = read_supports(supports, spec.cable.model, parameters);
+  spec.loads = read_loads(loads, applied, spec.cable.model, spec.start.direction, parameters);
+  spec.masses = read_masses(masses);
+  spec.damping = read_damping(damping, spec.cable.model);
   if (extent != Extent::motion) spec.probes = read_probes(probes);
   GivenRunsRead given;
   if (extent == Extent::everything) given = read_given_runs(runs, file.name, files.text_of(), spec.probes);
@@ -188,6 +193,9 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     spec.time = read_time(time);
     spec.method = read_method(method, spec.time);
   }
+  check_factors(applied, spec);
+  check_motion(supports, spec);
+  check_damping(damping, spec);
   if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
   // The method of an external run is not known, nor yet the one that is left to the scene.
   if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {

@@ -67,6 +67,8 @@ void check_rigid(const Case& spec, const RigidTables& tables) {
     tables.start.refuse_value("slope_rates", "must be \"rigid\" for a rigid rod, whose slopes turn with it");
   if (spec.start.axial_speed != 0)
     tables.start.refuse_value("axial_speed", "must be 0 for a rigid rod, which does not stretch");
+  if (spec.start.stretch != 1)
+    tables.start.refuse_value("stretch", "must be 1 for a rigid rod, which does not stretch");
   for (std::size_t k = 0; k < spec.probes.size(); ++k)
     if (!is_vector(spec.probes[k].quantity))
       tables.probes[k].refuse_value("quantity", "a rigid rod has only position, velocity and slope");

@@ -7,9 +7,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "engine/base/expression.h"
 #include "engine/base/nearest.h"
 #include "engine/base/number_text.h"
-#include "engine/read/expression.h"
+#include "engine/base/time_function.h"
 
 namespace plumb {
 namespace {
@@ -85,10 +86,12 @@ double Parameters::resolve(const TomlValue& parameter) {
   return value;
 }
 
-std::vector<std::string> Parameters::used_names(const TomlValue& expression, const std::string& key) const {
+std::vector<std::string> Parameters::used_names(const TomlValue& expression, const std::string& key,
+                                                std::string_view beside) const {
   try {
     std::vector<std::string> names;
     for (const UsedName& used : names_in(expression.string)) {
+      if (used.name == beside) continue;
       if (!by_name_.contains(used.name)) {
         const std::string end =
             names_.empty() ? "; the case has no [parameters]" : suggestion(used.name, names_);
@@ -112,6 +115,19 @@ double Parameters::evaluate(const TomlValue& expression, const std::string& key)
   }
   try {
     return plumb::evaluate(expression.string, values);
+  } catch (const ExpressionError& error) {
+    refuse_expression(expression, key, error.position(),
+                      fmt::format("not a valid expression: {}", error.what()));
+  }
+}
+
+void Parameters::check_in_time(const TomlValue& expression, const std::string& key) const {
+  if (by_name_.contains("t"))
+    refuse(expression.place, key, expression.written,
+           "t is the time here, and a parameter must have another name");
+  for (const std::string& name : used_names(expression, key, "t")) used_.insert(name);
+  try {
+    TimeFunction(expression.string, values_);
   } catch (const ExpressionError& error) {
     refuse_expression(expression, key, error.position(),
                       fmt::format("not a valid expression: {}", error.what()));

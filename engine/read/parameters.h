@@ -22,12 +22,18 @@ class Parameters {
   /// Throws InputError where it does not parse or uses an unknown parameter.
   double evaluate(const TomlValue& expression, const std::string& key) const;
 
+  /// Refuses an expression in the time `t` and the parameters as `evaluate` does, and where a parameter has
+  /// that name.
+  void check_in_time(const TomlValue& expression, const std::string& key) const;
+
   /// Parameters that nothing evaluated so far has used.
   std::vector<std::string> unused() const;
 
  private:
   double resolve(const TomlValue& parameter);
-  std::vector<std::string> used_names(const TomlValue& expression, const std::string& key) const;
+  /// `beside`: a name that is allowed too; empty: none.
+  std::vector<std::string> used_names(const TomlValue& expression, const std::string& key,
+                                      std::string_view beside = {}) const;
 
   std::vector<std::string> names_;
   std::map<std::string, const TomlValue*> by_name_;

@@ -5,6 +5,7 @@
 
 #include "engine/base/nearest.h"
 #include "engine/integrate/method_info.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/straight_frequency.h"
 #include "engine/read/case_sections.h"
 
@@ -130,9 +131,9 @@ void check_steps(const TableReader& table, const StabilitySpec& spec, const Time
 }  // namespace
 
 StabilitySpec stability_of(const Case& spec) {
-  if (spec.stability) return *spec.stability;
-  StabilitySpec study = default_stability(spec.parameters, spec.cable, spec.time);
-  set_default_steps(study, spec.cable);
+  StabilitySpec study = spec.stability.value_or(default_stability(spec.parameters, spec.cable, spec.time));
+  if (!spec.stability) set_default_steps(study, spec.cable);
+  for (auto* methods : {&study.methods, &study.limit_methods}) leave_out_others(spec, *methods);
   return study;
 }
 

@@ -77,9 +77,9 @@ void set_default_steps(WorkPrecisionSpec& spec, const TimeSpec& time) {
 }  // namespace
 
 WorkPrecisionSpec work_precision_of(const Case& spec) {
-  if (spec.work_precision) return *spec.work_precision;
-  WorkPrecisionSpec study = default_work_precision(spec.cable, spec.time);
-  set_default_steps(study, spec.time);
+  WorkPrecisionSpec study = spec.work_precision.value_or(default_work_precision(spec.cable, spec.time));
+  if (!spec.work_precision) set_default_steps(study, spec.time);
+  for (StudyExtent* extent : {&study.full, &study.quick}) leave_out_others(spec, extent->methods);
   return study;
 }
 

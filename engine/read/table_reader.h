@@ -38,16 +38,23 @@ class TableReader {
   template <class T>
   void read(const Key& key, T& field, bool required) {
     if constexpr (std::is_enum_v<T>) {
-      field = choice<T>(key.name, field);
+      field = required ? choice<T>(key.name) : choice<T>(key.name, field);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      field = flag(key.name, field);
     } else if constexpr (std::is_arithmetic_v<T>) {
       field = static_cast<T>(required ? number(key.name, key.range)
                                       : number(key.name, key.range, static_cast<double>(field)));
     } else if constexpr (std::is_same_v<T, std::optional<double>>) {
       field = optional_number(key.name, key.range);
     } else if constexpr (std::is_same_v<T, Vec3>) {
-      field = vector(key.name, key.range.unit, field);
+      field = required ? vector(key.name, key.range.unit) : vector(key.name, key.range.unit, field);
     } else if constexpr (std::is_same_v<T, std::string>) {
       field = required ? text(key.name, key.meaning) : optional_text(key.name, field);
+    } else if constexpr (requires { visit_keys(*field, [](const Key&, auto&) {}); }) {
+      if (!has(key.name)) return;
+      TableReader inner = table(key.name);
+      inner.read(field.emplace());
+      inner.finish();
     } else if (const auto given = numbers(key.name, field.size(), key.range)) {
       std::transform(given->begin(), given->end(), field.begin(),
                      [](double value) { return static_cast<typename T::value_type>(value); });

@@ -20,7 +20,7 @@ void from_stored(const nlohmann::ordered_json& json, std::vector<Energies>& ener
   energies.assign(json.at(stored_energies().front().first).size(), {});
   for (const auto& [name, value] : stored_energies()) {
     // Studies of older versions have their totals at outputs.
-    if (value == &Energies::interpolation && !json.contains(name)) continue;
+    if (!is_stored_always(value) && !json.contains(name)) continue;
     const auto values = decoded<std::vector<double>>(json.at(name));
     if (values.size() != energies.size()) throw std::runtime_error("its energies are not one an output");
     for (std::size_t k = 0; k < values.size(); ++k) energies[k].*value = values[k];

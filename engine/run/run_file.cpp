@@ -203,8 +203,8 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
   result.energies.resize(outputs);
   for (const auto& [name, part] : stored_energies()) {
     const std::string path = fmt::format("energy/{}", name);
-    // Runs of older versions have their totals at outputs.
-    if (part == &Energies::interpolation && !file.has(path.c_str())) continue;
+    // Runs of older versions have no more than kinetic, strain and potential energy.
+    if (!is_stored_always(part) && !file.has(path.c_str())) continue;
     const std::vector<double> values = file.numbers(path, {outputs});
     for (std::size_t k = 0; k < outputs; ++k) result.energies[k].*part = values[k];
   }

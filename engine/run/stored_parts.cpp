@@ -22,13 +22,19 @@ std::span<const std::pair<const char*, long Counters::*>> stored_counters() {
   return counter_parts;
 }
 
+bool is_stored_always(double Energies::*part) {
+  return part != &Energies::interpolation && part != &Energies::work && part != &Energies::dissipated;
+}
+
 std::span<const std::pair<const char*, double Energies::*>> stored_energies() {
   static constexpr std::pair<const char*, double Energies::*> all[] = {
       {"kinetic", &Energies::kinetic},
       {"axial", &Energies::axial},
       {"bending", &Energies::bending},
       {"potential", &Energies::potential},
-      {"interpolation", &Energies::interpolation}};
+      {"interpolation", &Energies::interpolation},
+      {"work", &Energies::work},
+      {"dissipated", &Energies::dissipated}};
   return all;
 }
 

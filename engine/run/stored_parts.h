@@ -17,6 +17,8 @@ std::span<const std::pair<const char*, long Counters::*>> stored_counters();
 
 /// Each kind of energy in the same way: "kinetic", "axial", "bending", "potential".
 std::span<const std::pair<const char*, double Energies::*>> stored_energies();
+/// False of those that runs of older versions do not have, and which were 0 then.
+bool is_stored_always(double Energies::*part);
 
 template <class Archive>
 void members(Archive& a, Counters& counters) {

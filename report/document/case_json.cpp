@@ -85,6 +85,8 @@ Json case_json(const LoadedCase& loaded) {
   json["overrides"] = loaded.source.overrides;
   json["parameters"] = spec.parameters;
   visit_motion(spec, [&](const char* table, const auto& section) { json[table] = encode(section); });
+  json["load"] = encode(spec.loads.applied);
+  json["mass"] = encode(spec.masses);
   if (!reports_given_run(spec)) json["method"] = method_json(spec.method);
   if (!loaded.given_runs.empty()) json["given_runs"] = given_runs_json(loaded);
   json["time"] = encode(spec.time);

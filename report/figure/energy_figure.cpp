@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "report/figure/ending_mark.h"
 #include "report/figure/run_figures.h"
 
@@ -23,8 +25,13 @@ std::optional<Figure> energy_figure(const Run& run) {
   energies.series = {part("kinetic", [](const Energies& e) { return e.kinetic; }),
                      part("axial strain", [](const Energies& e) { return e.axial; }),
                      part("bending strain", [](const Energies& e) { return e.bending; }),
-                     part("potential", [](const Energies& e) { return e.potential; }),
-                     part("total", [](const Energies& e) { return e.total(); })};
+                     part("potential", [](const Energies& e) { return e.potential; })};
+  const bool is_closed = std::all_of(trajectory.energies.begin(), trajectory.energies.end(),
+                                     [](const Energies& e) { return e.work == 0 && e.dissipated == 0; });
+  if (!is_closed)
+    energies.series.push_back(
+        part("dissipated - work", [](const Energies& e) { return e.dissipated - e.work; }));
+  energies.series.push_back(part("total", [](const Energies& e) { return e.total(); }));
   energies.series.back().color = Color{};
   energies.series.back().dash = Dash::dashed;
   const double first = trajectory.energies.empty() ? 0 : trajectory.energies.front().total();

@@ -1,6 +1,7 @@
 #include "report/page/page_tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -23,8 +24,13 @@ std::string vector_text(const Document& v) {
                      v.at(2).get<double>());
 }
 
-/// A value of a key of the case.
+/// A value of a key of the case; of a table "axis (0, 0, 1), angle 6*t".
 std::string in_words(const Document& value) {
+  if (value.is_object()) {
+    std::vector<std::string> parts;
+    for (const auto& [name, part] : value.items()) parts.push_back(name + " " + in_words(part));
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
   return value.is_array() ? vector_text(value) : value.is_string() ? value.get<std::string>() : exact(value);
 }
 
@@ -155,6 +161,29 @@ data cost_rows(const Document& document) {
   return pair_rows(rows);
 }
 
+/// A row each; reports of older versions have none.
+void add_loads_and_masses(const Document& the_case, Pairs& rows) {
+  const auto each = [&](const char* table, auto in_a_row) {
+    if (!the_case.contains(table)) return;
+    int number = 0;
+    for (const Document& item : the_case.at(table))
+      rows.emplace_back(fmt::format("{} {}", table, ++number), in_a_row(item));
+  };
+  each("load", [](const Document& load) {
+    const std::string kind = text_of(load, "kind");
+    const bool everywhere = kind == word(LoadKind::distributed);
+    const char* unit = everywhere ? "N/m" : kind == word(LoadKind::moment) ? "N m" : "N";
+    std::string text = fmt::format("{} {} {}", kind, in_words(load.at("value")), unit);
+    if (!everywhere) text += " at " + in_words(load.at("at")) + " of the length";
+    if (load.at("follows").get<bool>()) text += ", turning with the cable";
+    if (const std::string factor = text_of(load, "factor"); factor != "1") text += ", times " + factor;
+    return text;
+  });
+  each("mass", [](const Document& mass) {
+    return in_words(mass.at("mass")) + " kg at " + in_words(mass.at("at")) + " of the length";
+  });
+}
+
 data case_rows(const Document& document) {
   const Document &the_case = document.at("case"), &cable = the_case.at("cable");
   // How another program models the cable is not for Plumb to say.
@@ -166,6 +195,8 @@ data case_rows(const Document& document) {
   for (const auto& [name, parameter] : the_case.at("parameters").items())
     rows.emplace_back("parameter " + name, exact(parameter));
   const auto add = [&](const char* table, const auto& spec) {
+    // Reports of older versions do not have all of them.
+    if (!the_case.contains(table)) return;
     visit_keys(spec, [&](const Key& key, const auto&) {
       const Document &values = the_case.at(table), none;
       const Document& value = values.contains(key.name) ? values.at(std::string(key.name)) : none;
@@ -177,6 +208,7 @@ data case_rows(const Document& document) {
   };
   const Case any;
   visit_motion(any, add);
+  add_loads_and_masses(the_case, rows);
   add("time", any.time);
   const auto product = [&](const char* meaning, const char* a, const char* b, const char* unit) {
     rows.emplace_back(meaning,

@@ -14,6 +14,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+template <class Spec>
+Json table_schema(const Spec& spec);
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
 template <class T>
 Json type_of(const T&) {
   if constexpr (std::is_enum_v<T>) {
@@ -22,6 +30,8 @@ Json type_of(const T&) {
     return {{"enum", words}};
   } else if constexpr (std::is_same_v<T, Vec3>) {
     return {{"$ref", "#/$defs/vector"}};
+  } else if constexpr (IsOptional<T>::value) {
+    return table_schema(typename T::value_type());
   } else if constexpr (std::is_same_v<T, std::string>) {
     return {{"type", "string"}};
   } else {
@@ -35,7 +45,7 @@ Json table_schema(const Spec& spec) {
   visit_keys(spec, [&](const Key& key, const auto& field) {
     Json& schema = properties[std::string(key.name)] = type_of(field);
     if (!key.range.unit.empty()) schema["description"] = key.range.unit;
-    required.push_back(key.name);
+    if (!IsOptional<std::remove_cvref_t<decltype(field)>>::value) required.push_back(key.name);
   });
   return {{"type", "object"},
           {"properties", properties},

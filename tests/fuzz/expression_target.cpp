@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "engine/read/expression.h"
+#include "engine/base/expression.h"
 #include "tests/fuzz/target.h"
 
 namespace plumb::fuzz {

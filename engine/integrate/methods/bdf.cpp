@@ -30,7 +30,7 @@ class Bdf : public Method {
     MethodSpec starter = spec;
     starter.name = "gauss";
     if (order_ > 1) starter_ = make_method(starter, dynamics, start);
-    dynamics.acceleration(start.q, a_);
+    dynamics.acceleration(start, a_);
     // What is wrong with the start itself is found by the first step.
     dynamics.take_collapsed();
   }
@@ -87,10 +87,11 @@ class Bdf : public Method {
     base_ += b * rates_;
     StageTerms stage{.base = Sum(base_), .reach = b * b};
     stage.from = {1, a_.data()};
-    if (const StepResult result = stage_.solve(stage, b * b, next_a_); !result.ok()) {
+    const Instant at{next.end, rates_.data(), {}, b};
+    if (const StepResult result = stage_.solve(stage, at, b * b, next_a_); !result.ok()) {
       // A step that is large against the fastest motion is out of reach of the last acceleration.
       stage.from.factor = 0;
-      if (!stage_.solve(stage, b * b, next_a_).ok()) return result;
+      if (!stage_.solve(stage, at, b * b, next_a_).ok()) return result;
     }
     std::swap(a_, next_a_);
     // The oldest state has served; it is as many steps back as the order, or more.

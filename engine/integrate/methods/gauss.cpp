@@ -44,32 +44,34 @@ constexpr double stages_astray = 1;
 /// The weights of a GaussTable for q'' = g(q).
 struct Tableau {
   Weights c, b;
+  Eigen::Matrix3d velocity;  ///< A: of the stages' velocities
   Eigen::Matrix3d position;  ///< A²: of the stages' positions
   Weights end_position;      ///< bᵀA
 
   /// A² = T diag(λ²) T⁻¹ with one real λ and one pair of complex ones, of which one is kept.
-  double real_square;  ///< λ²
-  Complex pair_square;
+  double real;  ///< λ
+  Complex pair;
   Weights real_column, real_row;  ///< of T and of T⁻¹
   Eigen::Vector3cd pair_column, pair_row;
 
   explicit Tableau(const GaussTable& table = {}) : c(table.c), b(table.b) {
     const Eigen::Matrix3d& A = table.A;
+    velocity = A;
     position = A * A;
     end_position = A.transpose() * b;
     const auto [values, vectors] = general_eigen(A);
     const Eigen::Matrix3cd columns = vectors * vectors.row(0).cwiseInverse().asDiagonal();
     const Eigen::Matrix3cd rows = columns.inverse();
-    Eigen::Index real = 0;
-    values.imag().cwiseAbs().minCoeff(&real);
+    Eigen::Index real_one = 0;
+    values.imag().cwiseAbs().minCoeff(&real_one);
     for (int i = 0; i < stages; ++i) {
       const Complex lambda = values[i];
-      if (i == real) {
-        real_square = lambda.real() * lambda.real();
+      if (i == real_one) {
+        real = lambda.real();
         real_column = columns.col(i).real();
         real_row = rows.row(i).real().transpose();
       } else if (lambda.imag() > 0) {
-        pair_square = lambda * lambda;
+        pair = lambda;
         pair_column = columns.col(i);
         pair_row = rows.row(i).transpose();
       }
@@ -100,9 +102,10 @@ struct Tableau {
 };
 
 /// The Gauss method of three stages, of order 6. Its stages' accelerations Xᵢ solve
-///   M Xᵢ = f(Qᵢ),  Qᵢ = q + cᵢ h v + h² Σ (A²)ᵢⱼ Xⱼ,
-/// by Newton's iteration with one K for all stages, which falls apart into one real and one complex system
-/// (Hairer and Wanner 1996, section IV.8). Factors are kept as long as they serve, as in ImplicitStage.
+///   M Xᵢ = f(t + cᵢ h, Qᵢ, Vᵢ),  Qᵢ = q + cᵢ h v + h² Σ (A²)ᵢⱼ Xⱼ,  Vᵢ = v + h Σ Aᵢⱼ Xⱼ,
+/// by Newton's iteration with one K and one C = −∂f/∂v for all stages, which falls apart into one real and
+/// one complex system (Hairer and Wanner 1996, section IV.8). Factors are kept as long as they serve, as in
+/// ImplicitStage.
 class Gauss : public OneStepMethod {
  public:
   Gauss(const MethodSpec& spec, Dynamics& dynamics, const State& start)
@@ -114,7 +117,7 @@ class Gauss : public OneStepMethod {
         matrix_(dynamics.cable().nodes()) {
     dynamics.cable().system(start.q, 1, 0, mass_);
     dynamics.cable().supports().apply(mass_);
-    dynamics.acceleration(start.q, last_x_[0]);
+    dynamics.acceleration(start, last_x_[0]);
     dynamics.take_collapsed();
     last_x_[2] = last_x_[1] = last_x_[0];
     guess_ = residual_ = x_ = last_x_;
@@ -166,7 +169,7 @@ class Gauss : public OneStepMethod {
     for (int i = 0; i < iterations_; ++i) {
       if (const StepResult result = residuals(h, from); !result.ok()) return result;
       if (renew) {
-        if (const auto node = factor(h))
+        if (const auto node = factor(h, from))
           return {Outcome::singular, "Newton's matrix is singular", std::min(*node, cable.elements() - 1)};
         old = false;
       }
@@ -202,7 +205,7 @@ class Gauss : public OneStepMethod {
       Eigen::VectorXd &point = i == stages / 2 ? middle_ : point_, &residual = residual_[at(i)];
       point.resize(from.q.size());
       add_stages(from.q, &from.v, tableau_.c[i] * h, x_, h * h * tableau_.position.row(i).transpose(), point);
-      dynamics().force(point, residual);
+      dynamics().force(point, residual, stage_instant(h, from, i));
       if (const auto element = dynamics().take_collapsed()) {
         factored_h_ = 0;
         if (!point.allFinite()) return {Outcome::no_convergence, "Newton's iteration left the numbers", -1};
@@ -215,16 +218,40 @@ class Gauss : public OneStepMethod {
     return {};
   }
 
-  /// Factors M + λ² h² K with K at the middle stage, for the real λ and one of the pair.
-  std::optional<int> factor(double h) {
+  /// When and at which rates a stage is; these are only added up where they count.
+  Instant stage_instant(double h, const State& from, int stage) {
+    Instant at{from.t + tableau_.c[stage] * h};
+    if (dynamics().cable().conservative()) return at;
+    velocity_.resize(from.v.size());
+    add_stages(from.v, nullptr, 0, x_, h * tableau_.velocity.row(stage).transpose(), velocity_);
+    at.v = velocity_.data();
+    return at;
+  }
+
+  /// Factors M + λ h C + λ² h² K with those of the middle stage, for the real λ and one of the pair.
+  std::optional<int> factor(double h, const State& from) {
     factored_h_ = 0;
-    if (const auto node = dynamics().factor(middle_, 1, h * h * tableau_.real_square)) return node;
+    const double real = h * tableau_.real;
+    const Complex pair = h * tableau_.pair;
+    const Instant middle = stage_instant(h, from, stages / 2);
+    if (const auto node = dynamics().factor(middle_, 1, real * real, middle, real)) return node;
     const Cable& cable = dynamics().cable();
-    cable.system(middle_, 0, 1, stiffness_);
-    cable.supports().apply(stiffness_);
-    ++dynamics().counters.tangent_evaluations;
     // What the supports hold gets 1 + λ² h² on the diagonal, and a right-hand side of 0.
-    matrix_.set_sum(mass_, h * h * tableau_.pair_square, stiffness_);
+    if (cable.conservative()) {
+      cable.system(middle_, 0, 1, stiffness_);
+      cable.supports().apply(stiffness_);
+      matrix_.set_sum(mass_, pair * pair, stiffness_);
+    } else {
+      matrix_.set_sum(mass_, 0, mass_);
+      GeneralBlockTridiagonal<double> part(cable.nodes());
+      dynamics().general_system(middle_, 0, 1, middle, 0, part);
+      cable.supports().apply(part);
+      matrix_.add(pair * pair, part);
+      dynamics().general_system(middle_, 0, 0, middle, 1, part);
+      cable.supports().apply(part);
+      matrix_.add(pair, part);
+    }
+    ++dynamics().counters.tangent_evaluations;
     ++dynamics().counters.factorizations;
     if (const auto node = lu_.factor(matrix_)) return node;
     factored_h_ = h;
@@ -277,7 +304,7 @@ class Gauss : public OneStepMethod {
   BlockTridiagonal mass_, stiffness_;
   GeneralBlockTridiagonal<Complex> matrix_;
   BlockLu<Complex> lu_;
-  Eigen::VectorXd point_, middle_, inertia_, real_;
+  Eigen::VectorXd point_, middle_, velocity_, inertia_, real_;
   Eigen::VectorXcd complex_;
 };
 

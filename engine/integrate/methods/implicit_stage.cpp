@@ -22,11 +22,12 @@ ImplicitStage::ImplicitStage(const MethodSpec& spec, Dynamics& dynamics)
       iterations_(static_cast<int>(spec.parameters.at("newton_iterations"))),
       dynamics_(dynamics) {}
 
-StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen::VectorXd& x,
-                                double leftover) {
+StepResult ImplicitStage::solve(const StageTerms& stage, const Instant& at, double position,
+                                Eigen::VectorXd& x, double leftover) {
   const Cable& cable = dynamics_.cable();
   const double stiffness = stage.force * stage.reach;
-  bool renew = !has_factors_ || factored_mass_ != stage.mass || factored_stiffness_ != stiffness;
+  bool renew = !has_factors_ || factored_mass_ != stage.mass || factored_stiffness_ != stiffness ||
+               factored_reach_ != at.reach;
   bool old = !renew;  // the matrix is that of an earlier step
   StageTerms terms = stage;
   const auto metres = [&](const StageCorrection& correction) {
@@ -37,7 +38,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
   double before = 0;  // size of the correction before this one
   for (int i = 0; i < iterations_; ++i) {
     if (renew) has_factors_ = false;
-    const StageCorrection correction = dynamics_.correct(terms, renew ? stiffness : 0, next_);
+    const StageCorrection correction = dynamics_.correct(terms, renew ? stiffness : 0, next_, at);
     if (correction.unsound >= 0) {
       best_kernels().add_up(cable.nodes(), terms.point().into(next_));
       has_factors_ = false;
@@ -54,6 +55,7 @@ StepResult ImplicitStage::solve(const StageTerms& stage, double position, Eigen:
       has_factors_ = true;
       factored_mass_ = stage.mass;
       factored_stiffness_ = stiffness;
+      factored_reach_ = at.reach;
       old = false;
     }
     if (!correction.finite) break;

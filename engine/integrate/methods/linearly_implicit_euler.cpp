@@ -6,7 +6,8 @@ namespace plumb {
 namespace {
 
 /// Euler's implicit method with one Newton step from the old state, as the published series was computed:
-///   (M + h² K(qₙ)) vₙ₊₁ = M vₙ + h f(qₙ),  qₙ₊₁ = qₙ + h vₙ₊₁,  K = −∂f/∂q.
+///   (M + h² K(qₙ)) vₙ₊₁ = M vₙ + h f(qₙ),  qₙ₊₁ = qₙ + h vₙ₊₁,  K = −∂f/∂q,
+/// with h C, C = −∂f/∂v, in the matrix too where there is damping, and the loads of the new time.
 /// Order 1; damps fast motion strongly (a factor 1/√(1 + ω²h²) a step) and never says that a step is too
 /// large.
 class LinearlyImplicitEuler : public OneStepMethod {
@@ -16,11 +17,13 @@ class LinearlyImplicitEuler : public OneStepMethod {
 
  private:
   StepResult advance(double h, const State& from, State& to) override {
-    if (const auto node = dynamics().factor(from.q, 1, h * h))
+    const Instant end{from.t + h, from.v.data()};
+    if (const auto node = dynamics().factor(from.q, 1, h * h, end, h))
       return {Outcome::singular, "the matrix M + h² K is singular",
               std::min(*node, dynamics().cable().elements() - 1)};
     dynamics().cable().mass().multiply(from.v, momentum_);
-    dynamics().force(from.q, to.v);
+    // What damping adds at the old rates is in the matrix.
+    dynamics().force(from.q, to.v, {from.t + h});
     to.v = momentum_ + h * to.v;
     dynamics().cable().supports().apply(to.v);
     dynamics().solve(to.v);

@@ -49,10 +49,14 @@ LoadedCable::LoadedCable(Dynamics& dynamics, const Eigen::VectorXd& start, doubl
   const double EA = the_cable.element().axial_stiffness(), EI = the_cable.element().bending_stiffness();
   const double l = the_cable.element().length();
   residual_floor_ = 16 * std::numeric_limits<double>::epsilon() * the_cable.elements() * (EA + EI / (l * l));
-  StartSpec along;
-  along.direction = the_cable.supports().direction();
-  const Eigen::VectorXd bent = start_ - the_cable.start_q(along);
-  const bool is_bent = bent.lpNorm<Eigen::Infinity>() > 0;
+  const Vec3& axis = the_cable.supports().direction();
+  Eigen::VectorXd bent = start_;
+  for (Eigen::Index i = 0; i < bent.size(); i += 3) {
+    const Vec3 along = axis.dot(bent.segment<3>(i)) * axis;
+    bent.segment<3>(i) -= along;
+  }
+  constexpr double straight = 1e-14;  // of the length, by round-off
+  const bool is_bent = greatest_displacement(bent) > straight * the_cable.length();
   if (is_bent) {
     BlockTridiagonal K(the_cable.nodes());
     the_cable.system(start_ - bent, 0, 1, K);
@@ -61,28 +65,29 @@ LoadedCable::LoadedCable(Dynamics& dynamics, const Eigen::VectorXd& start, doubl
   }
   // The stiffness against a turn that less makes is lost in round-off; to which side the cable goes is not.
   constexpr double as_good_as_none = 1e-7, round_off = 1e-14;
-  const double across = share_across(load_, along.direction);
-  is_symmetric_ = !is_bent && across <= as_good_as_none;
-  has_a_side_ = is_bent || across > round_off;
+  const double across = share_across(load_, axis);
+  const bool more = !the_cable.variable_loads().empty() || !the_cable.motion().none();
+  is_symmetric_ = !is_bent && !more && across <= as_good_as_none;
+  has_a_side_ = is_bent || more || across > round_off;
 }
 
 std::optional<int> LoadedCable::residual(const Eigen::VectorXd& q, double share, Eigen::VectorXd& result) {
-  dynamics_.force(q, result);
-  result += (share - 1) * load_ + bias_;
+  dynamics_.force(q, result, at(share));
+  result += bias_;
   return dynamics_.take_collapsed();
 }
 
-std::optional<int> LoadedCable::factor(const Eigen::VectorXd& q) {
+std::optional<int> LoadedCable::factor(const Eigen::VectorXd& q, double share) {
   constexpr double least_bend = 1e-5;
   turn_.resize(0);
-  if (!is_symmetric_) return dynamics_.factor(q, 0, 1);
+  if (!is_symmetric_) return dynamics_.factor(q, 0, 1, at(share));
   const Vec3& axis = cable().supports().direction();
   turn_.resize(q.size());
   for (Eigen::Index at = 0; at < q.size(); at += 3) turn_.segment<3>(at) = axis.cross(q.segment<3>(at));
   const double size = norm(turn_);
   if (size < least_bend) {
     turn_.resize(0);
-    return dynamics_.factor(q, 0, 1);
+    return dynamics_.factor(q, 0, 1, at(share));
   }
   turn_ /= size;
   int farthest = 0;

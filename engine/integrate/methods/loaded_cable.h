@@ -12,8 +12,9 @@ namespace plumb {
 double greatest_turn(const Eigen::VectorXd& dq, double element_length);
 
 /// A cable under a share of its load, as a problem of equilibrium: R(q, λ) = λ F + F₀ − ∂U/∂q = 0 with the
-/// supports in, K = −∂R/∂q. F are the loads of the case together; F₀ holds the unloaded cable in the start
-/// that it is given, where this is not straight.
+/// supports in, K = −∂R/∂q. F are the constant loads of the case together, beside which there are that share
+/// of the others at that share of the duration (VariableLoads), which are left to LoadSteps alone; F₀ holds
+/// the unloaded cable in the start that it is given, where this is not straight.
 ///
 /// Where loads and supports are as good as symmetric about the axis of the straight cable, a bent one may be
 /// turned about it for nothing. Such a turn is no disturbance: a spring holds one node against it, which
@@ -34,8 +35,9 @@ class LoadedCable {
 
   /// R of the equation above, N and N m. Returns an element whose slope collapsed.
   std::optional<int> residual(const Eigen::VectorXd& q, double share, Eigen::VectorXd& result);
-  /// Factors K. Returns the node at which it is singular; nothing if all is well.
-  std::optional<int> factor(const Eigen::VectorXd& q);
+  /// Factors K, in which the share only counts where loads depend on how the cable lies. Returns the node at
+  /// which it is singular; nothing if all is well.
+  std::optional<int> factor(const Eigen::VectorXd& q, double share = 1);
   /// x := K⁻¹ x with the K that was factored last.
   void solve(Eigen::VectorXd& x) const;
   /// Negative eigenvalues of the K that was factored last, -1 where they cannot be counted.
@@ -71,6 +73,9 @@ class LoadedCable {
  private:
   /// Greatest force on a node, N, that of a slope as moment over the length of an element.
   double greatest(const Eigen::VectorXd& residual) const;
+  Instant at(double share) const {
+    return {.t = share * dynamics_.times().duration, .load = share, .still = true};
+  }
   void take_out_turn(Eigen::VectorXd& x) const;
 
   Dynamics& dynamics_;

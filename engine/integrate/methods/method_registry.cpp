@@ -99,6 +99,9 @@ const MethodInfo& classical_explicit() {
 const MethodInfo& accurate_explicit() {
   return known("runge-kutta-nystrom");
 }
+const MethodInfo& accurate_explicit(const Case& spec) {
+  return takes(accurate_explicit(), spec) ? accurate_explicit() : embedded_explicit();
+}
 const MethodInfo& embedded_explicit() {
   return known("arkode-erk");
 }
@@ -112,6 +115,10 @@ const MethodInfo& energy_keeping() {
   return known("energy-momentum");
 }
 
+void leave_out_others(const Case& spec, std::vector<std::string>& names) {
+  std::erase_if(names, [&](const std::string& name) { return !takes(known(name), spec); });
+}
+
 std::vector<std::string> few_unlike_methods() {
   return {embedded_explicit().name, classical_explicit().name, usual_implicit().name,
           known("cvode-bdf").name};
@@ -122,10 +129,16 @@ const MethodInfo& rigid_rod_method() {
   return std::find_if(entries().begin(), entries().end(), takes_one)->info;
 }
 
+bool takes(const MethodInfo& info, const Cable& cable) {
+  return (info.takes_damping || cable.damping().none()) && (info.takes_rotation || !cable.motion().turns());
+}
+
 std::unique_ptr<Method> make_method(const MethodSpec& spec, Dynamics& dynamics, const State& start) {
   const auto entry = std::find_if(entries().begin(), entries().end(),
                                   [&](const MethodEntry& any) { return any.info.name == spec.name; });
   if (entry == entries().end()) throw std::invalid_argument("no method is named " + spec.name);
+  if (!takes(entry->info, dynamics.cable()))
+    throw std::invalid_argument(spec.name + " takes no forces that depend on rates");
   if (!dynamics.cable().is_rigid()) return entry->make(spec, dynamics, start);
   if (entry->make_rigid == nullptr) throw std::invalid_argument(spec.name + " takes no rigid rod");
   return entry->make_rigid(spec, dynamics, start);

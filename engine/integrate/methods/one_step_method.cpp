@@ -78,7 +78,7 @@ StepResult OneStepMethod::controlled_step(double stop) {
   constexpr double sliver = 1e-9;           // of a step, left by round-off and not taken
   constexpr double shortest_share = 1e-13;  // of the time to stop at; below it, time would stand still
   if (h_ == 0) {
-    dynamics_.acceleration(now_.q, error_);
+    dynamics_.acceleration(now_, error_);
     h_ = control_->first_step(error_, stop);
   }
   const double left = stop - now_.t;

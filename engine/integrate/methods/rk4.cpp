@@ -6,8 +6,8 @@ namespace plumb {
 namespace {
 
 /// The classical Runge-Kutta method of order 4 (Kutta 1901; Hairer, Nørsett, Wanner, Solving Ordinary
-/// Differential Equations I, table II.1.2) for q' = v, v' = a(q): four force evaluations a step, stable on
-/// the imaginary axis up to ωh = 2 √2.
+/// Differential Equations I, table II.1.2) for q' = v, v' = a(t, q, v): four force evaluations a step, stable
+/// on the imaginary axis up to ωh = 2 √2.
 class Rk4 : public OneStepMethod {
  public:
   Rk4(const MethodSpec& spec, Dynamics& dynamics, const State& start)
@@ -19,11 +19,13 @@ class Rk4 : public OneStepMethod {
   StepResult advance(double h, const State& from, State& to) override {
     // The stages of q are written out: k₂ of q is v + ½h a₁ and so on, so that only accelerations are kept.
     const double half = 0.5 * h, h2 = h * h, third = h / 3, sixth = h / 6;
-    dynamics().acceleration(from.q, a1_);
-    dynamics().acceleration(Sum(from.q).plus(half, from.v), a2_);
-    dynamics().acceleration(Sum(from.q).plus(half, from.v).plus(0.25 * h2, a1_), a3_);
+    const double* v = from.v.data();
+    dynamics().acceleration(Sum(from.q), a1_, {from.t, v});
+    dynamics().acceleration(Sum(from.q).plus(half, from.v), a2_, {from.t + half, v, {half, a1_.data()}});
+    dynamics().acceleration(Sum(from.q).plus(half, from.v).plus(0.25 * h2, a1_), a3_,
+                            {from.t + half, v, {half, a2_.data()}});
     dynamics().acceleration(
-        Sum(from.q).plus(h, from.v).plus(0.5 * h2, a2_), a4_,
+        Sum(from.q).plus(h, from.v).plus(0.5 * h2, a2_), a4_, {from.t + h, v, {h, a3_.data()}},
         {Sum(from.q).plus(h, from.v).plus(h2 / 6, a1_).plus(h2 / 6, a2_).plus(h2 / 6, a3_).into(to.q),
          Sum(from.v).plus(sixth, a1_).plus(third, a2_).plus(third, a3_).into(to.v)},
         {Sum(to.v).plus(sixth, a4_).into(to.v)});

@@ -13,7 +13,7 @@ class RungeKuttaNystrom : public OneStepMethod {
   RungeKuttaNystrom(const MethodSpec& spec, Dynamics& dynamics, const State& start)
       : OneStepMethod(spec, order_of_control, dynamics, start) {
     for (Eigen::VectorXd& k : k_) k.resize(dynamics.size());
-    dynamics.acceleration(start.q, k_[0]);
+    dynamics.acceleration(start, k_[0]);
     dynamics.take_collapsed();
     before_a_ = k_[0];
   }
@@ -42,12 +42,13 @@ class RungeKuttaNystrom : public OneStepMethod {
   static constexpr std::size_t last = Pair::stages - 1;
 
   StepResult advance(double h, const State& from, State& to) override {
-    for (std::size_t i = 1; i < last; ++i) dynamics().acceleration(stage(i, h, from), k_[i]);
+    for (std::size_t i = 1; i < last; ++i)
+      dynamics().acceleration(stage(i, h, from), k_[i], {from.t + Pair::c[i] * h});
     Sum velocity(from.v);
     for (std::size_t i = 0; i < last; ++i)
       if (Pair::velocity[i] != 0) velocity.plus(h * Pair::velocity[i], k_[i]);
     static_assert(Pair::velocity[last] == 0);
-    dynamics().acceleration(stage(last, h, from).into(to.q), k_[last], {velocity.into(to.v)});
+    dynamics().acceleration(stage(last, h, from).into(to.q), k_[last], {from.t + h}, {velocity.into(to.v)});
     return {};
   }
 
@@ -103,6 +104,8 @@ MethodEntry runge_kutta_nystrom_entry() {
   info.conserves = "momentum";
   info.use = "soft, coarse cables to high accuracy, and references";
   info.family = MethodFamily::explicit_one_step;
+  info.takes_damping = false;
+  info.takes_rotation = false;
   info.takes_step = true;
   info.takes_tolerances = true;
   info.cost = {2900, 600};

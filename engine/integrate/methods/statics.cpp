@@ -5,6 +5,7 @@
 
 #include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/methods/equilibrium_path.h"
+#include "engine/integrate/methods/load_steps.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/model/cable.h"
 #include "engine/model/compression_limit.h"
@@ -168,7 +169,12 @@ MethodEntry statics_entry() {
   follow.maximum = 1;
   follow.whole = true;
   info.parameters.push_back(follow);
-  return {info, made<Statics>};
+  return {info, [](const MethodSpec& spec, Dynamics& dynamics, const State& start) {
+            const Cable& cable = dynamics.cable();
+            return cable.variable_loads().empty() && cable.motion().none()
+                       ? made<Statics>(spec, dynamics, start)
+                       : make_load_steps(spec, dynamics, start);
+          }};
 }
 
 }  // namespace plumb

@@ -12,8 +12,8 @@ StructuralMethod::StructuralMethod(const StructuralScheme& scheme, const MethodS
                                    const State& start)
     : OneStepMethod(spec, scheme.order, dynamics, start), scheme_(scheme), stage_(spec, dynamics) {
   // A start from anything but the true acceleration costs an order.
-  dynamics.acceleration(start.q, a_);
-  if (scheme_.force_old != 0) dynamics.force(start.q, old_force_);
+  dynamics.acceleration(start, a_);
+  if (scheme_.force_old != 0) dynamics.force(start.q, old_force_, {start.t, start.v.data()});
   // What is wrong with the start itself is found by the first step.
   dynamics.take_collapsed();
 }
@@ -30,13 +30,16 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   stage.force = s.force_new;
   if (s.mass_old != 0) stage.before = {s.mass_old / s.mass_new, a_.data()};
   if (s.force_old != 0) stage.known = {s.force_old, old_force_.data()};
+  Instant at{from.t + s.point * h, from.v.data()};
+  if (s.velocity_old != 0) at.plus = {s.point * h * s.velocity_old, a_.data()};
+  at.reach = s.point * h * s.velocity_new;
   // Two guesses: the acceleration of the step before; and that with which q₁ is q₀ + h v₀, which is the
   // better one where accelerations change at once, such as at a start, where those beside a support grow with
   // the fineness of the mesh. What took many corrections is not guessed again.
   constexpr long many = 6;
   const auto solve = [&](bool coasting) {
     stage.from = {coasting ? -s.position_old / s.position_new : 1, a_.data()};
-    return stage_.solve(stage, h2 * s.position_new, next_a_, allowed_leftover(h));
+    return stage_.solve(stage, at, h2 * s.position_new, next_a_, allowed_leftover(h));
   };
   const long before = dynamics().counters.newton_iterations;
   next_coasting_ = coasting_;
@@ -53,7 +56,7 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   if (s.velocity_old != 0) v.plus(h * s.velocity_old, a_);
   const std::array both{q, v};
   best_kernels().add_up(dynamics().cable().nodes(), {both.data(), both.size()});
-  if (s.force_old != 0) dynamics().force(to.q, force_);
+  if (s.force_old != 0) dynamics().force(to.q, force_, {from.t + h, to.v.data()});
   return {};
 }
 

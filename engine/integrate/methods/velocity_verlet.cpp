@@ -9,19 +9,21 @@ namespace {
 /// The velocity form of Störmer's and Verlet's method (Verlet 1967; Swope et al. 1982; Hairer, Lubich and
 /// Wanner 2006, section I.1.4):
 ///   v½ = vₙ + ½h aₙ,  qₙ₊₁ = qₙ + h v½,  vₙ₊₁ = v½ + ½h aₙ₊₁.
+/// Forces that depend on rates are those at vₙ + h aₙ, which keeps the order.
 /// One force evaluation a step, symplectic, stable up to ωh = 2.
 class VelocityVerlet : public OneStepMethod {
  public:
   VelocityVerlet(const MethodSpec& spec, Dynamics& dynamics, const State& start)
       : OneStepMethod(spec, 2, dynamics, start) {
-    dynamics.acceleration(start.q, a_);
+    dynamics.acceleration(start, a_);
     next_a_.resize(dynamics.size());
     dynamics.take_collapsed();
   }
 
  private:
   StepResult advance(double h, const State& from, State& to) override {
-    dynamics().acceleration(Sum(from.q).plus(h, from.v).plus(0.5 * h * h, a_).into(to.q), next_a_, {},
+    dynamics().acceleration(Sum(from.q).plus(h, from.v).plus(0.5 * h * h, a_).into(to.q), next_a_,
+                            {from.t + h, from.v.data(), {h, a_.data()}}, {},
                             {Sum(from.v).plus(0.5 * h, a_).plus(0.5 * h, next_a_).into(to.v)});
     return {};
   }

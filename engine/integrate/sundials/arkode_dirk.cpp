@@ -90,12 +90,12 @@ class ArkodeDirk : public sundials::ArkodeMethod {
   }
   void dense_output(double t, N_Vector to) const override { ARKStepGetDky(ark_.get(), t, 0, to); }
 
-  static int linear_system(double, N_Vector y, N_Vector, SUNMatrix, SUNMatrix, int, int* fresh, double gamma,
-                           void* user_data, N_Vector, N_Vector, N_Vector) {
+  static int linear_system(double t, N_Vector y, N_Vector, SUNMatrix, SUNMatrix, int, int* fresh,
+                           double gamma, void* user_data, N_Vector, N_Vector, N_Vector) {
     // A new tangent costs no more than keeping the old one would.
     *fresh = SUNTRUE;
     auto& self = static_cast<ArkodeDirk&>(*static_cast<LibraryMethod*>(user_data));
-    return self.system_.prepare(y, gamma);
+    return self.system_.prepare(t, y, gamma);
   }
 
   sundials::ReducedSystem system_;

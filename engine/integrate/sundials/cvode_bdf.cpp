@@ -25,12 +25,12 @@ class CvodeBdf : public sundials::CvodeMethod {
     CVodeGetNumNonlinSolvIters(cvode(), &dynamics().counters.newton_iterations);
   }
 
-  static int linear_system(double, N_Vector y, N_Vector, SUNMatrix, int, int* fresh, double gamma,
+  static int linear_system(double t, N_Vector y, N_Vector, SUNMatrix, int, int* fresh, double gamma,
                            void* user_data, N_Vector, N_Vector, N_Vector) {
     // A new tangent costs no more than keeping the old one would.
     *fresh = SUNTRUE;
     auto& self = static_cast<CvodeBdf&>(*static_cast<LibraryMethod*>(user_data));
-    return self.system_.prepare(y, gamma);
+    return self.system_.prepare(t, y, gamma);
   }
 
   sundials::ReducedSystem system_;

@@ -16,7 +16,7 @@ struct FreeIda {
 /// IDA's backward differentiation formulas of variable order and step for differential-algebraic equations
 /// (Hindmarsh et al. 2005), on the cable with its supports as constraints in the stabilised form of index 2
 /// (Gear, Gupta, Leimkuhler 1985):
-///   q' = v + Gᵀ μ,   M v' = f(q) + Gᵀ λ,   G v = 0,   G q = G q₀,   y = (q, v, λ, μ).
+///   q' = v + Gᵀ μ,   M v' = f(t, q, v) + Gᵀ λ,   G v = 0,   G q = G q₀,   y = (q, v, λ, μ).
 /// λ is the reaction of the joint, μ is 0 up to round-off. Without stabilisation μ and the last equation are
 /// left out, and nothing brings back a joint that has drifted; as these constraints are linear, which the
 /// formulas keep, all that drifts is round-off.
@@ -80,10 +80,10 @@ class Ida : public sundials::LibraryMethod {
   void start_consistently(const State& start, N_Vector yp) {
     const Eigen::Index n = f_.size();
     Eigen::VectorXd a = start.q;
-    dynamics().acceleration(start.q, a);
+    dynamics().acceleration(start, a);
     // What is wrong with the start itself is found by the first step.
     dynamics().take_collapsed();
-    force(start.q);
+    force(start.t, start.q, start.v);
     dynamics().cable().mass().multiply(a, rates_);
     rates_ -= f_;
     sundials::part(y(), 2 * n, constraints_.count()) = constraints_.apply(rates_);
@@ -92,21 +92,22 @@ class Ida : public sundials::LibraryMethod {
   }
 
   /// f_ := the forces on the cable but for those of the joint. Returns an element whose slope collapsed.
-  std::optional<int> force(const Eigen::VectorXd& q) {
-    ++dynamics().counters.force_evaluations;
-    return dynamics().cable().force(q, f_);
+  std::optional<int> force(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+    dynamics().free_force(q, f_, {t, v.data()});
+    return dynamics().take_collapsed();
   }
 
-  static int residual(double, N_Vector y, N_Vector yp, N_Vector r, void* user_data) {
+  static int residual(double t, N_Vector y, N_Vector yp, N_Vector r, void* user_data) {
     auto& self = static_cast<Ida&>(*static_cast<LibraryMethod*>(user_data));
-    return self.evaluate(y, yp, r);
+    return self.evaluate(t, y, yp, r);
   }
 
-  int evaluate(N_Vector y, N_Vector yp, N_Vector r) {
+  int evaluate(double t, N_Vector y, N_Vector yp, N_Vector r) {
     const Eigen::Index n = f_.size(), m = constraints_.count();
     const auto v = sundials::v_of(y, n);
     q_ = sundials::q_of(y, n);
-    if (const auto element = force(q_)) {
+    rates_ = v;
+    if (const auto element = force(t, q_, rates_)) {
       note_collapsed(*element);
       return 1;
     }
@@ -137,9 +138,9 @@ class Ida : public sundials::LibraryMethod {
     return 0;
   }
 
-  static int jacobian(double, double leading, N_Vector y, N_Vector, N_Vector, SUNMatrix, void* user_data,
+  static int jacobian(double t, double leading, N_Vector y, N_Vector, N_Vector, SUNMatrix, void* user_data,
                       N_Vector, N_Vector, N_Vector) {
-    return static_cast<Ida&>(*static_cast<LibraryMethod*>(user_data)).system_.prepare(y, leading);
+    return static_cast<Ida&>(*static_cast<LibraryMethod*>(user_data)).system_.prepare(t, y, leading);
   }
 
   int evolve(double stop, double& reached) override {

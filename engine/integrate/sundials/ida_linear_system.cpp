@@ -9,17 +9,19 @@ IdaLinearSystem::IdaLinearSystem(Dynamics& dynamics, const SupportConstraints& c
       constraints_(constraints),
       stabilised_(stabilised),
       free_system_(dynamics.cable().nodes()) {
-  for (Eigen::VectorXd* x : {&dq_, &z_, &r_, &rates_, &product_}) x->resize(dynamics.size());
+  for (Eigen::VectorXd* x : {&q_, &dq_, &z_, &r_, &rates_, &product_}) x->resize(dynamics.size());
 }
 
-int IdaLinearSystem::prepare(N_Vector y, double leading) {
+int IdaLinearSystem::prepare(double t, N_Vector y, double leading) {
+  t_ = t;
   c_ = leading;
-  dq_ = q_of(y, dq_.size());
+  q_ = q_of(y, dq_.size());
   // With a factor of c² at the mass, held rows would be judged singular beside it for short steps.
   const double stiffness = 1 / (c_ * c_);
   ++dynamics_.counters.tangent_evaluations;
-  dynamics_.cable().system(dq_, 1, stiffness, free_system_);
-  return dynamics_.factor(dq_, 1, stiffness) ? 1 : 0;
+  const Instant at{t, v_of(y, dq_.size()).data()};
+  dynamics_.general_system(q_, 1, stiffness, at, 1 / c_, free_system_);
+  return dynamics_.factor(q_, 1, stiffness, at, 1 / c_) ? 1 : 0;
 }
 
 void IdaLinearSystem::solve(N_Vector solution, N_Vector right_hand_side) {
@@ -41,6 +43,7 @@ void IdaLinearSystem::solve(N_Vector solution, N_Vector right_hand_side) {
   constraints_.add_transposed(dmu, rates_);
   dynamics_.cable().mass().multiply(rates_, r_);
   r_ = b2 / (c_ * c_) + r_ / c_;
+  dynamics_.add_rate_product(t_, q_, rates_, 1 / (c_ * c_), r_);
 
   dq_.setZero();
   constraints_.add_transposed(held, dq_);

@@ -104,11 +104,11 @@ Vector LibraryMethod::absolute_tolerances(double atol) const {
   return result;
 }
 
-int LibraryMethod::right_hand_side(double, N_Vector y, N_Vector ydot, void* user_data) {
+int LibraryMethod::right_hand_side(double t, N_Vector y, N_Vector ydot, void* user_data) {
   auto& self = *static_cast<LibraryMethod*>(user_data);
   const Eigen::Index n = self.q_.size();
   self.q_ = q_of(y, n);
-  self.dynamics_.acceleration(self.q_, self.a_);
+  self.dynamics_.acceleration(Sum(self.q_), self.a_, {t, v_of(y, n).data()});
   if (const auto element = self.dynamics_.take_collapsed()) {
     self.note_collapsed(*element);
     return 1;

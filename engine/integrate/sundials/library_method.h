@@ -68,7 +68,7 @@ class LibraryMethod : public Method {
   /// Sets y to the library's interpolant at t within the last step.
   virtual void dense_output(double t, N_Vector y) const = 0;
 
-  /// Right-hand side of q' = v, v' = M⁻¹ f(q) in the library's form; `user_data` is a LibraryMethod.
+  /// Right-hand side of q' = v, v' = M⁻¹ f(t, q, v) in the library's form; `user_data` is a LibraryMethod.
   /// Returns 1 (try a shorter step) where the accelerations are not finite or a slope collapsed.
   static int right_hand_side(double t, N_Vector y, N_Vector ydot, void* user_data);
 

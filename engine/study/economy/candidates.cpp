@@ -69,15 +69,19 @@ CableSpec meshed(const Case& spec, int elements) {
 bool has_rigid_rod(const Case& spec) {
   const ColorField field = spec.scene.color_by;
   const Hold first = hold_of(spec.supports.first), last = hold_of(spec.supports.last);
-  return first.position && !first.direction && last.none() && spec.start.slope_rates == SlopeRates::rigid &&
-         spec.start.axial_speed == 0 && (field == ColorField::none || field == ColorField::speed) &&
+  return first.position && !first.direction && last.none() && !spec.supports.move() &&
+         spec.start.slope_rates == SlopeRates::rigid && spec.start.axial_speed == 0 &&
+         spec.start.stretch == 1 && spec.damping.material == 0 &&
+         (field == ColorField::none || field == ColorField::speed) &&
          std::all_of(spec.probes.begin(), spec.probes.end(),
                      [](const ProbeSpec& probe) { return is_vector(probe.quantity); });
 }
 
-/// A chain has no bending to show.
+/// A chain has no bending to show, and none for a moment.
 bool has_chain(const Case& spec) {
   return !hold_of(spec.supports.first).direction && !hold_of(spec.supports.last).direction &&
+         std::none_of(spec.loads.applied.begin(), spec.loads.applied.end(),
+                      [](const LoadSpec& load) { return load.kind == LoadKind::moment; }) &&
          spec.start.slope_rates == SlopeRates::rigid && spec.scene.color_by != ColorField::curvature &&
          spec.scene.color_by != ColorField::bending_moment;
 }

@@ -35,7 +35,7 @@ double greatest(const std::vector<double>& values) {
 Trajectory by_explicit(const Case& spec, int elements) {
   constexpr double phase = 1.2;  // ωh of the fastest vibration: half of what it is stable up to
   Candidate candidate = cable_candidate(spec, elements);
-  candidate.method = plain_method(accurate_explicit());
+  candidate.method = plain_method(accurate_explicit(spec));
   candidate.method.step =
       std::min(phase / straight_frequency(candidate.cable), scene_output_interval(spec) / 4);
   return integrate(with_candidate(spec, candidate));
@@ -56,9 +56,9 @@ Truth truth_of(const Case& spec, int elements, bool two_methods) {
 }
 
 /// Of one by two methods.
-std::string truth_in_words(int elements) {
+std::string truth_in_words(const Case& spec, int elements) {
   return fmt::format("{} elements by {}, held against {} and against half the elements", elements,
-                     accurate_explicit().name, accurate_implicit().name);
+                     accurate_explicit(spec).name, accurate_implicit().name);
 }
 
 /// What the truth may be off by on the picture: half the mesh is, by order 2 at least, three times as far
@@ -192,7 +192,7 @@ EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, 
   int elements = study.spec.reference_elements;
   for (const SceneNeed& need : needs)
     elements = std::max(elements, reference_elements(study.spec, need.economy));
-  study.reference = truth_in_words(elements);
+  study.reference = truth_in_words(loaded.spec, elements);
   std::optional<Truth> truth;  // made where a proof is to be computed
   std::vector<StudyPoint<SceneNeed>> proofs;
   for (std::size_t k = 0; k < pictures.size(); ++k)

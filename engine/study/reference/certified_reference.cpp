@@ -25,10 +25,11 @@ MethodSpec embedded_pair(double tolerance) {
 }
 
 /// Of another family of formulas, and no code in common with the first but the forces.
-MethodSpec nystrom(double step) {
-  MethodSpec spec = plain_method(accurate_explicit());
-  spec.step = step;
-  return spec;
+MethodSpec unlike(const Case& spec, double step) {
+  MethodSpec method =
+      plain_method(takes(accurate_explicit(), spec) ? accurate_explicit() : accurate_implicit());
+  method.step = step;
+  return method;
 }
 
 std::string describe(const MethodSpec& method) {
@@ -106,8 +107,8 @@ StudyReference make_reference(const Case& spec, double target, double time_limit
   for (const double tolerance : {1e-7, 1e-9, 1e-11, 1e-13}) {
     const Trajectory first = run(spec, embedded_pair(tolerance), time_left());
     if (first.outcome != Outcome::completed) {
-      if (better(reference_of(first, embedded_pair(tolerance), nystrom(step), -1), best))
-        best = reference_of(first, embedded_pair(tolerance), nystrom(step), -1);
+      if (better(reference_of(first, embedded_pair(tolerance), unlike(spec, step), -1), best))
+        best = reference_of(first, embedded_pair(tolerance), unlike(spec, step), -1);
       if (first.outcome == Outcome::out_of_time) break;
       continue;
     }
@@ -115,10 +116,11 @@ StudyReference make_reference(const Case& spec, double target, double time_limit
     while (true) {
       if (second.outcome != Outcome::completed) {
         if (spec.time.end / step > most_steps) break;
-        second = run(spec, nystrom(step), time_left());
+        second = run(spec, unlike(spec, step), time_left());
       }
       const double distance = tip_distance(first, second);
-      const StudyReference found = reference_of(first, embedded_pair(tolerance), nystrom(step), distance);
+      const StudyReference found =
+          reference_of(first, embedded_pair(tolerance), unlike(spec, step), distance);
       if (better(found, best)) best = found;
       if (distance >= 0 && distance <= target) return best;
       if (second.outcome == Outcome::out_of_time) return best;

@@ -45,11 +45,12 @@ class Neighbours {
   Neighbours(const Case& spec, double time_limit)
       : spec_(spec), cable_(spec), change_(random_change(cable_)), time_limit_(time_limit) {
     constexpr double outputs = 500;
-    swing_ = Monitor(cable_, {0, cable_.start_q(spec.start), cable_.start_v(spec.start)}).own_time() /
+    swing_ = Monitor(cable_, {0, cable_.start_q(spec.start), cable_.start_v(spec.start)}, spec.time.end)
+                 .own_time() /
              (4 * std::numbers::pi);
     const double wished = std::min(spec.time.output_interval, spec.time.end / outputs);
     time_ = {spec.time.end, spec.time.end / std::ceil(spec.time.end / wished)};
-    method_ = plain_method(accurate_explicit());
+    method_ = plain_method(accurate_explicit(spec));
     const double omega = fastest_vibration(cable_, cable_.start_q(spec.start)).frequency;
     double steps = std::ceil(std::max(time_.output_interval * omega / first_z, 4.0));
     for (int halvings = 0; halvings <= most_halved; ++halvings, steps *= 2) {

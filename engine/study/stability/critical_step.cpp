@@ -24,7 +24,7 @@ Frequencies frequencies(Case spec, double time_limit) {
   constexpr double states = 1000, tolerance = 1e-8;
   const Cable cable(spec);
   const double at_start = fastest_vibration(cable, cable.start_q(spec.start)).frequency;
-  spec.method = plain_method(accurate_explicit());
+  spec.method = plain_method(accurate_explicit(spec));
   spec.method.rtol = spec.method.atol = tolerance;
   spec.time.output_interval = std::min(spec.time.output_interval, spec.time.end / states);
   Frequencies result{at_start, at_start};

@@ -28,6 +28,8 @@ struct Mode {
 Mode fastest_mode(Case spec) {
   constexpr double strain = 1e-7;
   spec.loads = {};
+  spec.damping = {};
+  spec.supports = {.first = spec.supports.first, .last = spec.supports.last};
   Cable cable(spec);
   Eigen::VectorXd straight = cable.start_q(spec.start);
   FastestVibration vibration = fastest_vibration(cable, straight);

@@ -5,6 +5,7 @@
 
 #include "engine/study/reference/method_settings.h"
 #include "engine/study/reference/reference_motion.h"
+#include "engine/study/stability/stability.h"
 
 namespace plumb {
 

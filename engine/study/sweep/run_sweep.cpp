@@ -53,7 +53,7 @@ Trajectory run_with(Case spec, const MethodSpec& method, double time_limit) {
 References make_references(const Case& model, double tolerance) {
   constexpr double well_agreed = 0.01, time_limit = 5;
   References best;
-  MethodSpec pair = plain_method(accurate_explicit());
+  MethodSpec pair = plain_method(accurate_explicit(model));
   MethodSpec implicit = plain_method(accurate_implicit());
   for (const auto& [rtol, parts] : {std::pair{1e-9, 10}, std::pair{1e-11, 40}, std::pair{1e-13, 160}}) {
     pair.rtol = pair.atol = rtol;

@@ -31,7 +31,8 @@ struct SweepRun {
   bool wrongly_accurate(double tolerance) const;
 };
 
-/// Random cases over methods, steps, parameters, meshes, supports and strain models.
+/// Random cases over methods, steps, parameters, meshes, supports and their motion, strain models, loads,
+/// masses and damping.
 struct Sweep {
   LoadedCase loaded;
   SweepSpec spec;

@@ -55,6 +55,9 @@ TEST(Key, OfEveryTableIsDescribedWithItsUnitInTheReadme) {
   expect_described<StartSpec>("`[start]`");
   expect_described<SupportsSpec>("`[supports]`, `[loads]`");
   expect_described<LoadsSpec>("`[supports]`, `[loads]`");
+  expect_described<LoadSpec>("`[[load]]`");
+  expect_described<MassSpec>("`[[mass]]`");
+  expect_described<DampingSpec>("`[damping]`");
   expect_described<TimeSpec>("`[time]`");
   expect_described<ProbeSpec>("`[[probe]]`");
   expect_described<SceneSpec>("`[scene]`");

@@ -101,7 +101,7 @@ TEST(Energy, EnergyMomentumKeepsItUnderAForceOnTheEnd) {
 
 TEST(Energy, PotentialEnergyFallsByTheForceOnTheEndTimesItsWay) {
   Case spec = pendulum(5, 4);
-  spec.loads = {.gravity = {0, 0, 0}, .end_force = {2, -3, 4}};
+  spec.loads = {.gravity = {0, 0, 0}, .end_force = {2, -3, 4}, .applied = {}};
   const Cable cable(spec);
   Eigen::VectorXd q = cable.start_q(spec.start);
   const double before = cable.energies(q, q).potential;
@@ -113,7 +113,8 @@ TEST(Energy, WhatTheForceOnTheEndCanReleaseIsAtHand) {
   Case spec = pendulum(5, 4);
   const auto at_hand = [&] {
     const Cable cable(spec);
-    return Monitor(cable, {0, cable.start_q(spec.start), cable.start_v(spec.start)}).energies_at_hand();
+    return Monitor(cable, {0, cable.start_q(spec.start), cable.start_v(spec.start)}, spec.time.end)
+        .energies_at_hand();
   };
   const double without = at_hand();
   spec.loads.end_force = {2, -3, 6};

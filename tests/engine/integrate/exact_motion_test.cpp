@@ -85,7 +85,7 @@ TEST_P(EveryMethod, PullsAFreeCableByItsLastEndWithTheWholeForce) {
   Case spec = pendulum(5, 4);
   spec.supports.first = Support::free;
   spec.start.angular_velocity = {0, 2, 1};
-  spec.loads = {.gravity = {0, 0, 0}, .end_force = {0.03, -0.02, 0.04}};
+  spec.loads = {.gravity = {0, 0, 0}, .end_force = {0.03, -0.02, 0.04}, .applied = {}};
   const Cable cable(spec);
   const double mass = spec.cable.density * spec.cable.area * spec.cable.length;
   const auto sum = [&](const Eigen::VectorXd& nodal) {

@@ -28,7 +28,7 @@ TEST(Loads, OfACaseAreItsWeightAndItsEndForceWhereThereAreAny) {
   Case spec = pendulum(5, 4);
   spec.loads = {};
   EXPECT_TRUE(loads_of(spec).empty());
-  spec.loads = {.gravity = {0, 0, -2}, .end_force = {3, -4, 0}};
+  spec.loads = {.gravity = {0, 0, -2}, .end_force = {3, -4, 0}, .applied = {}};
   EXPECT_EQ(loads_of(spec).size(), 2U);
   const Cable cable(spec);
   const double mass = spec.cable.density * spec.cable.area * spec.cable.length;
@@ -41,7 +41,7 @@ TEST(Loads, OfACaseAreItsWeightAndItsEndForceWhereThereAreAny) {
 TEST(Loads, OnNodesActAlikeInTheForceAndInTheAcceleration) {
   Case spec = pendulum(5, 4);
   spec.supports = {};
-  spec.loads = {.gravity = {1, -9.81, 2}, .end_force = {0.03, -0.02, 0.04}};
+  spec.loads = {.gravity = {1, -9.81, 2}, .end_force = {0.03, -0.02, 0.04}, .applied = {}};
   const Cable cable(spec);
   const Eigen::VectorXd q = cable.start_q(spec.start);
   Eigen::VectorXd f, a, scratch;

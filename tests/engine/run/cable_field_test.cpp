@@ -45,7 +45,7 @@ TEST(CableField, ForceAndMomentHoldTheLoadBeyondThem) {
     spec.cable.second_moment = 1e-4;
     spec.cable.strain = strain;
     spec.supports.first = Support::clamped;
-    spec.loads = {.gravity = Vec3::Zero(), .end_force = {30, 0, 20}};
+    spec.loads = {.gravity = Vec3::Zero(), .end_force = {30, 0, 20}, .applied = {}};
     const Trajectory held = run(spec, method("statics", 0.25), {1, 1});
     ASSERT_EQ(held.outcome, Outcome::completed) << held.message;
     const Cable cable(spec);

@@ -1,4 +1,4 @@
-#include "engine/read/expression.h"
+#include "engine/base/expression.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "engine/read/expression.h"
+#include "engine/base/expression.h"
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -48,6 +48,16 @@ mu::Parser parser_for(const std::string& expression) {
   return parser;
 }
 
+double only_result(const mu::Parser& parser, const std::string& expression) {
+  int count = 0;
+  const double* results = parser.Eval(count);
+  if (count != 1) {
+    throw ExpressionError(fmt::format("gives {} numbers instead of one (the decimal mark is a point)", count),
+                          std::min(expression.find(','), expression.size()));
+  }
+  return results[0];
+}
+
 bool is_name_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -87,14 +97,7 @@ double evaluate(const std::string& expression, const std::map<std::string, doubl
     mu::Parser parser = parser_for(expression);
     // Constants rather than variables: an expression cannot assign to them.
     for (const auto& [name, value] : values) parser.DefineConst(name, value);
-    int count = 0;
-    const double* results = parser.Eval(count);
-    if (count != 1) {
-      throw ExpressionError(
-          fmt::format("gives {} numbers instead of one (the decimal mark is a point)", count),
-          std::min(expression.find(','), expression.size()));
-    }
-    return results[0];
+    return only_result(parser, expression);
   } catch (const mu::ParserError& error) {
     throw translated(error, expression);
   }

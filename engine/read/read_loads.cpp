@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "engine/base/number_text.h"
+#include "engine/base/time_function.h"
+#include "engine/integrate/method_info.h"
+#include "engine/read/case_sections.h"
+
+namespace plumb {
+namespace {
+
+/// Of a moment's size: a part along the cable that is no more is round-off.
+constexpr double round_off = 1e-12;
+
+/// Torsion is not modelled, so that nothing turns about the cable's own axis.
+void check_moment(const TableReader& table, const LoadSpec& load, const Vec3& direction) {
+  const double size = load.value.norm(), along = std::abs(load.value.dot(direction));
+  if (load.follows && along > round_off * size)
+    table.refuse_value("value",
+                       "a moment that follows must be across the cable at the start: its part along "
+                       "it stays there, where nothing can turn");
+  if (size > 0 && load.value.cross(direction).norm() <= round_off * size)
+    table.refuse_value("value", "the moment is along the cable at the start, where nothing can turn");
+}
+
+LoadSpec read_load(TableReader& table, CableModel model, const Vec3& direction,
+                   const Parameters& parameters) {
+  LoadSpec load;
+  table.read(load);
+  table.finish();
+  const bool along = load.kind == LoadKind::distributed, has_place = table.has("at");
+  if (along && has_place) table.refuse_value("at", "not a key of a distributed load, which is everywhere");
+  if (!along && !has_place)
+    table.refuse_value("at", "is missing: where the load acts, from 0 to 1 (fraction of the length)");
+  if (load.kind == LoadKind::moment) {
+    if (model == CableModel::chain)
+      table.refuse_value("kind", "a chain does not bend, so that a moment has nothing to turn");
+    check_moment(table, load, direction);
+  }
+  if (const TomlValue* factor = table.value().find("factor"))
+    parameters.check_in_time(*factor, table.full_key("factor"));
+  return load;
+}
+
+}  // namespace
+
+LoadsSpec read_loads(TableReader table, std::vector<TableReader> applied, CableModel model,
+                     const Vec3& direction, const Parameters& parameters) {
+  LoadsSpec loads;
+  table.read(loads);
+  table.finish();
+  for (TableReader& load : applied) loads.applied.push_back(read_load(load, model, direction, parameters));
+  return loads;
+}
+
+void check_factors(const std::vector<TableReader>& applied, const Case& spec) {
+  constexpr int times = 1000;
+  for (std::size_t k = 0; k < applied.size(); ++k) {
+    const TimeFunction factor(spec.loads.applied[k].factor, spec.parameters);
+    for (int i = 0; i <= (factor.is_constant() ? 0 : times); ++i) {
+      const double t = spec.time.end * i / times;
+      if (const double value = factor(t); !std::isfinite(value))
+        applied[k].refuse_value("factor",
+                                fmt::format("is {} at t = {:.6g} s; must be finite", number_text(value), t));
+    }
+  }
+}
+
+std::vector<MassSpec> read_masses(std::vector<TableReader> tables) {
+  std::vector<MassSpec> masses;
+  for (TableReader& table : tables) {
+    MassSpec mass;
+    table.read(mass);
+    table.finish();
+    masses.push_back(mass);
+  }
+  return masses;
+}
+
+DampingSpec read_damping(TableReader table, CableModel model) {
+  DampingSpec damping;
+  table.read(damping);
+  table.finish();
+  if (model == CableModel::rigid && damping.material != 0)
+    table.refuse_value("material", "must be 0 for a rigid rod, which does not deform");
+  return damping;
+}
+
+void check_damping(const TableReader& table, const Case& spec) {
+  const MethodInfo* info = find_method(spec.method.name);
+  if (info == nullptr || info->takes_damping || spec.damping == DampingSpec{}) return;
+  std::string others;
+  for (const MethodInfo& other : method_infos())
+    if (other.dynamic && other.takes_damping) others += (others.empty() ? "" : ", ") + other.name;
+  const char* key = spec.damping.mass != 0 ? "mass" : "material";
+  table.refuse_value(key, fmt::format("must be 0 for {}, which is made for forces that do not depend on "
+                                      "rates; methods that take damping: {}",
+                                      info->name, others));
+}
+
+}  // namespace plumb
