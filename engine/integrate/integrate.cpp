@@ -41,8 +41,9 @@ State in_units(const State& start, const OwnUnits& units) {
 /// Writes outputs down, in m, s and kg again.
 class Recorder {
  public:
-  Recorder(const Cable& cable, const OwnUnits& units, Trajectory& trajectory)
-      : cable_(cable), units_(units), trajectory_(trajectory) {}
+  /// `load_grows_to`: when the load is whole that grows in proportion to time, s; 0: it does not grow.
+  Recorder(const Cable& cable, const OwnUnits& units, double load_grows_to, Trajectory& trajectory)
+      : cable_(cable), units_(units), load_grows_to_(load_grows_to), trajectory_(trajectory) {}
 
   /// `state` at the output time t (s), of the last step of `method`, in its own units.
   void record(double t, const State& state, const Method& method) {
@@ -53,10 +54,12 @@ class Recorder {
   /// The same of a state between the last two steps.
   void record_between(double t, const State& state, const Method& method) {
     record(t, state);
+    record_extras(state.t, method);
+    // An equilibrium is found, and not interpolated.
+    if (load_grows_to_ > 0) return;
     Energies& energies = trajectory_.energies.back();
     const State end = in_si(method.state());
     energies.interpolation = energies.total() - cable_.energies(end.q, end.v).total();
-    record_extras(state.t, method);
   }
 
  private:
@@ -69,6 +72,7 @@ class Recorder {
   void record(double t, const State& own) {
     State state = in_si(own);
     trajectory_.energies.push_back(cable_.energies(state.q, state.v));
+    if (load_grows_to_ > 0) trajectory_.energies.back().potential *= t / load_grows_to_;
     cable_.set_output_slopes(state.q, state.v);
     trajectory_.times.push_back(t);
     trajectory_.q.push_back(std::move(state.q));
@@ -93,6 +97,7 @@ class Recorder {
 
   const Cable& cable_;
   const OwnUnits& units_;
+  double load_grows_to_;
   Trajectory& trajectory_;
   Eigen::VectorXd lambda_;
 };
@@ -117,14 +122,15 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   const double end = time.end / units.time;
 
   const MethodInfo* info = find_method(method.name);
-  const Monitor monitor(own_cable, own_start, info == nullptr || info->dynamic);
+  const bool is_static = info != nullptr && !info->dynamic;
+  const Monitor monitor(own_cable, own_start, !is_static);
   Dynamics dynamics(own_cable, {monitor.own_time(), end});
   const std::vector<double> output_seconds = output_times(time);
   std::vector<double> outputs = output_seconds;
   for (double& t : outputs) t /= units.time;
   const double near = same_time * (time.output_interval / units.time);
   State between = own_start;
-  Recorder recorder(cable, units, result);
+  Recorder recorder(cable, units, is_static ? time.end : 0, result);
 
   const double processor_started = processor_seconds();
   const auto started = std::chrono::steady_clock::now();
@@ -136,7 +142,7 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   // A start that is not even finite has nothing to show.
   if (last.outcome != Outcome::diverged)
     // Statics begins with an equilibrium that is found from the start.
-    recorder.record(start.t, info == nullptr || info->dynamic ? own_start : integrator->state(), *integrator);
+    recorder.record(start.t, is_static ? integrator->state() : own_start, *integrator);
   std::size_t next = 1;
   long failed_step = 0;
   long rejected = 0;
