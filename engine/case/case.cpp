@@ -15,6 +15,14 @@ std::string_view word_for(E value) {
 
 }  // namespace
 
+Case::Case() = default;
+Case::Case(const Case&) = default;
+Case::Case(Case&&) noexcept = default;
+Case& Case::operator=(const Case&) = default;
+Case& Case::operator=(Case&&) noexcept = default;
+Case::~Case() = default;
+bool Case::operator==(const Case&) const = default;
+
 std::string_view word(CableModel value) {
   return word_for(value);
 }

@@ -432,7 +432,15 @@ struct Case {
   std::optional<UncertaintySpec> uncertainty;
   std::optional<BudgetSpec> error_budget;
 
-  friend bool operator==(const Case&, const Case&) = default;
+  // Compiled once, as they are long and many use them.
+  Case();
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
+
+  bool operator==(const Case&) const;
 };
 
 /// Shows the tables that say what moves: `visit(name, spec)` for each, in order.

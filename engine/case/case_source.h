@@ -45,6 +45,14 @@ struct LoadedCase {
   std::vector<GivenRun> given_runs;  ///< in the order of `Case::given_runs`
   std::vector<std::string> remarks;  ///< what was left unused and why, for the user to see
   SectionUse uses = use_all;         ///< what it was read for
+
+  // Compiled once, as they are long and many use them.
+  LoadedCase();
+  LoadedCase(const LoadedCase&);
+  LoadedCase(LoadedCase&&) noexcept;
+  LoadedCase& operator=(const LoadedCase&);
+  LoadedCase& operator=(LoadedCase&&) noexcept;
+  ~LoadedCase();
 };
 
 /// Reads a case file from disk with its references and checks everything.

@@ -73,7 +73,11 @@ class Adviser {
       return "follow = \"stable\", a small force across that says to which side the cable gives way, or a "
              "smaller load";
     if (!info_.dynamic && outcome >= Outcome::unstable && outcome != Outcome::out_of_time)
-      return "a smaller load, or more elements";
+      return !run_.times.empty() && run_.equilibria.path.empty()
+                 ? "supports or a bending stiffness that hold the unloaded cable, or fewer elements where "
+                   "the "
+                   "mesh is too fine"
+                 : "a smaller load, or more elements";
     if (attempt_ && outcome >= Outcome::unstable && outcome <= Outcome::singular) return tried(outcome);
     switch (outcome) {
       case Outcome::unstable:

@@ -129,14 +129,16 @@ State in_units(const State& start, const OwnUnits& units) {
 /// Writes outputs down, in m, s and kg again and as seen from the ground.
 class Recorder {
  public:
-  /// `start`: relative to the supports, in own units.
-  Recorder(const Cable& cable, const Cable& own_cable, bool dynamic, const State& start,
+  /// `start`: relative to the supports, in own units; `load_grows_to`: when the load is whole that grows in
+  /// proportion to time, s; 0: it does not grow.
+  Recorder(const Cable& cable, const Cable& own_cable, double load_grows_to, const State& start,
            const OwnUnits& units, Trajectory& trajectory)
       : cable_(cable),
         own_cable_(own_cable),
-        view_(own_cable, dynamic),
+        view_(own_cable, load_grows_to == 0),
         start_(start.q),
         units_(units),
+        load_grows_to_(load_grows_to),
         trajectory_(trajectory) {}
 
   /// `state` at the output time t (s), of the last step of `method`, in its own units, as is what has been
@@ -150,9 +152,11 @@ class Recorder {
   void record_between(double t, const State& state, const Work& done, const Work& at_step,
                       const Method& method) {
     record(t, state, done);
+    record_extras(state, method);
+    // An equilibrium is found, and not interpolated.
+    if (load_grows_to_ > 0) return;
     Energies& energies = trajectory_.energies.back();
     energies.interpolation = energies.total() - energies_of(in_si(method.state()), at_step).total();
-    record_extras(state, method);
   }
 
  private:
@@ -174,6 +178,7 @@ class Recorder {
   void record(double t, const State& own, const Work& done) {
     State state = in_si(own);
     trajectory_.energies.push_back(energies_of(state, done));
+    if (load_grows_to_ > 0) trajectory_.energies.back().potential *= t / load_grows_to_;
     cable_.set_output_slopes(state.q, state.v);
     trajectory_.times.push_back(t);
     trajectory_.q.push_back(std::move(state.q));
@@ -202,6 +207,7 @@ class Recorder {
   GroundView view_;
   Eigen::VectorXd start_;
   const OwnUnits& units_;
+  double load_grows_to_;
   Trajectory& trajectory_;
   Eigen::VectorXd lambda_;
 };
@@ -237,7 +243,7 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   for (double& t : outputs) t /= units.time;
   const double near = same_time * (time.output_interval / units.time);
   State between = own_start;
-  Recorder recorder(cable, own_cable, dynamic, own_start, units, result);
+  Recorder recorder(cable, own_cable, dynamic ? 0 : time.end, own_start, units, result);
 
   const double processor_started = processor_seconds();
   const auto started = std::chrono::steady_clock::now();

@@ -1,9 +1,9 @@
 #include "engine/integrate/symmetric_motion.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
 #include "engine/model/inertia.h"
 
@@ -30,9 +30,9 @@ Matrix3 spread(const Eigen::VectorXd& nodal, int offset) {
 /// The projection across the line in which there is something; zero where that is no line.
 Matrix3 projection_across(const Matrix3& spread) {
   constexpr double nothing = 1e-13;  // of squares: 3e-7 of what is seen elsewhere
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(spread);
-  if (eigen.eigenvalues()[1] > nothing * eigen.eigenvalues()[2]) return Matrix3::Zero();
-  const Vec3 line = eigen.eigenvectors().col(2);
+  const auto& [values, vectors] = symmetric_eigen(spread);
+  if (values[1] > nothing * values[2]) return Matrix3::Zero();
+  const Vec3 line = vectors.col(2);
   return Matrix3::Identity() - line * line.transpose();
 }
 

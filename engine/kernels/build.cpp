@@ -12,11 +12,6 @@ namespace {
                    : ((element).full ? function<false, true>(element, __VA_ARGS__)  \
                                      : function<false, false>(element, __VA_ARGS__)))
 
-template <bool green, bool full>
-constexpr auto kept_correction = chain_correction<green, full, false>;
-template <bool green, bool full>
-constexpr auto renewed_correction = chain_correction<green, full, true>;
-
 int force(const ElementConstants& element, int elements, const double* q, double* f) {
   return PLUMB_CHOOSE(chain_force, element, elements, q, f);
 }
@@ -49,9 +44,8 @@ StageCorrection correct(const ElementConstants& element, int elements, const Hel
                         const NodeForces& loads, const StageTerms& stage, double stiffness_factor,
                         double* factors, double* x) {
   const ElementConstants scaled = scaled_by(stage.mass, stiffness_factor, element);
-  if (stiffness_factor != 0)
-    return PLUMB_CHOOSE(renewed_correction, element, scaled, elements, ends, loads, stage, factors, x);
-  return PLUMB_CHOOSE(kept_correction, element, scaled, elements, ends, loads, stage, factors, x);
+  return PLUMB_CHOOSE(chain_correction, element, scaled, stiffness_factor != 0, elements, ends, loads, stage,
+                      factors, x);
 }
 
 int acceleration(const ElementConstants& element, int elements, const MassFactors& mass,

@@ -21,8 +21,9 @@ class SystemElimination {
       : chain_(scaled), ends_(ends), elements_(elements), factors_(factors) {}
 
   /// Takes the `count` elements from `e` on, whose nodes' coordinates are at `nodes`, and eliminates the
-  /// first node of each; with the last element, the last node too. Returns the node that ended it, or -1.
-  PLUMB_INLINE int take(int e, int count, const double* nodes) {
+  /// first node of each; with the last element, the last node too. Returns the node that ended it, or -1. Its
+  /// code is long, and a call is nothing beside what it does.
+  [[gnu::noinline]] int take(int e, int count, const double* nodes) {
     // A share with each column.
     const auto ask = [&](int share) __attribute__((always_inline)) {
       const int node = e + nodes_ahead;
@@ -97,8 +98,8 @@ PLUMB_INLINE void substitute_back(int nodes, const double* factors, const Scaled
 
 /// One correction of Newton's iteration: on the way to the last node all that a node's equations need is
 /// computed, with the matrix too where it is renewed, and on the way back the corrections are added.
-template <bool green, bool full, bool renews>
-StageCorrection chain_correction(const ElementConstants& element, const ElementConstants& scaled,
+template <bool green, bool full>
+StageCorrection chain_correction(const ElementConstants& element, const ElementConstants& scaled, bool renews,
                                  int elements, const HeldEnds& ends, const NodeForces& loads,
                                  const StageTerms& terms, double* factors, double* x) {
   const int nodes = elements + 1;
@@ -127,7 +128,7 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
       ends.hold(node != 0, force);
       b = load_six(force);
     }
-    if constexpr (!renews) {
+    if (!renews) {
       const int ahead = node + nodes_ahead;
       ask_for<block_size>(multiplier_of(ahead, factors));
       ask_for<symmetric_size>(inverse_of(ahead, nodes, factors));
@@ -137,9 +138,10 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
               forward.take(multiplier_of(node, factors), inverse_of(node, nodes, factors), b));
   };
   const auto take_group = [&](int e, int count) __attribute__((always_inline)) {
+    if (result.singular >= 0) return;
     const double* at = point(e, count);
     forces.take(e, count, at, f);
-    if constexpr (renews) {
+    if (renews) {
       result.singular = system.take(e, count, at);
       if (result.singular >= 0) return;
     }
@@ -148,13 +150,7 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
     for (int i = 0; i < count; ++i)
       take_node(e + i, f + per_node * i, momentum.take(load_node(rate + per_node * (i + 1))));
   };
-  if constexpr (renews) {
-    // The code of matrices is too long to be there twice.
-    for (int e = 0; e < elements && result.singular < 0; e += lanes)
-      take_group(e, elements - e < lanes ? elements - e : lanes);
-  } else {
-    for_each_group(elements, take_group);
-  }
+  for_each_group(elements, take_group);
   result.unsound = forces.unsound();
   if (result.unsound >= 0 || result.singular >= 0) return result;
   forces.end(f);

@@ -1,9 +1,9 @@
 #include "engine/model/buckling.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/dense.h"
 #include "engine/model/block_lu.h"
 #include "engine/model/cable.h"
 #include "engine/model/inertia.h"
@@ -79,13 +79,12 @@ std::optional<Buckling> first_buckling(const Cable& cable, const Eigen::VectorXd
     const Eigen::VectorXd size = (X.transpose() * KX).diagonal().cwiseSqrt().cwiseMax(1e-300);
     const Eigen::MatrixXd scale = size.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd A = scale * (X.transpose() * dX) * scale, B = scale * (X.transpose() * KX) * scale;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (A + A.transpose()),
-                                                                         0.5 * (B + B.transpose()));
-    if (ritz.info() != Eigen::Success) return std::nullopt;
+    const SymmetricEigen ritz = symmetric_eigen(0.5 * (A + A.transpose()), 0.5 * (B + B.transpose()));
+    if (ritz.values.size() == 0) return std::nullopt;
     // Rising: the greatest 1/λ is the last. A shift to the middle of the spectrum would be faster and is not
     // needed.
-    values = ritz.eigenvalues().reverse();
-    const Eigen::MatrixXd turned = scale * ritz.eigenvectors().rowwise().reverse();
+    values = ritz.values.reverse();
+    const Eigen::MatrixXd turned = scale * ritz.vectors.rowwise().reverse();
     X = X * turned;
     if (iteration + 1 == iterations) break;
     Y = dX * turned;

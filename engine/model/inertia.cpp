@@ -1,6 +1,6 @@
 #include "engine/model/inertia.h"
 
-#include <Eigen/Eigenvalues>
+#include "engine/base/dense.h"
 
 namespace plumb {
 
@@ -20,12 +20,11 @@ std::optional<int> negative_eigenvalues(const BlockTridiagonal& A) {
     const auto inverse_scale = scale.cwiseInverse().asDiagonal();
     const Block6 scaled = inverse_scale * left * inverse_scale;
     if (!scaled.allFinite()) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Block6> eigen(scaled);
-    const auto& values = eigen.eigenvalues();
+    const auto& [values, vectors] = symmetric_eigen(scaled);
     if (!(values.cwiseAbs().minCoeff() > singular_ratio * values.cwiseAbs().maxCoeff())) return std::nullopt;
     negative += static_cast<int>((values.array() < 0).count());
     if (node + 1 == A.nodes()) break;
-    const Block6 turned = A.below(node) * inverse_scale * eigen.eigenvectors();
+    const Block6 turned = A.below(node) * inverse_scale * vectors;
     taken = turned * values.cwiseInverse().asDiagonal() * turned.transpose();
   }
   return negative;

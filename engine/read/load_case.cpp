@@ -256,6 +256,13 @@ ReferenceText texts_of(const CaseSource& source) {
 
 }  // namespace
 
+LoadedCase::LoadedCase() = default;
+LoadedCase::LoadedCase(const LoadedCase&) = default;
+LoadedCase::LoadedCase(LoadedCase&&) noexcept = default;
+LoadedCase& LoadedCase::operator=(const LoadedCase&) = default;
+LoadedCase& LoadedCase::operator=(LoadedCase&&) noexcept = default;
+LoadedCase::~LoadedCase() = default;
+
 bool use_all(std::string_view) {
   return true;
 }

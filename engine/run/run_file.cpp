@@ -237,7 +237,7 @@ std::string encode_run(const Run& run) {
   return with_check_sum(file.bytes());
 }
 
-Run read_run(const std::string& path) {
+Run read_run(const std::string& path, const SectionUse& uses) {
   try {
     const std::string bytes = read_checked(path, "run file");
     const hdf5::Reader file(bytes);
@@ -246,7 +246,7 @@ Run read_run(const std::string& path) {
     const bool has_states = file.has("outcome");
     if (has_states) run.trajectory = read_trajectory(file);
     run.provenance = read_provenance(file);
-    run.loaded = load_case(read_source(file));
+    run.loaded = load_case(read_source(file), uses);
     if (has_states == reports_given_run(run.loaded.spec))
       throw std::runtime_error(has_states ? "it has states, and a case without [method]"
                                           : "it has neither states nor an external run that is reported");

@@ -53,7 +53,7 @@ Json energy_json(const Trajectory& trajectory) {
   // Of an external run, which has no states, they are not known.
   if (trajectory.energies.empty() && !trajectory.times.empty()) return nullptr;
   Json json = {{"unit", "J"},
-               {"drift", trajectory.energy_drift()},
+               {"drift", has_energy_to_keep(trajectory) ? Json(trajectory.energy_drift()) : Json(nullptr)},
                {"drift_relative_to_first_kinetic", trajectory.relative_energy_drift()},
                {"drift_in_words", drift_in_words(trajectory)},
                {"time", trajectory.times}};

@@ -4,8 +4,31 @@
 
 #include "report/figure/ending_mark.h"
 #include "report/figure/run_figures.h"
+#include "report/verdict/results.h"
 
 namespace plumb {
+
+namespace {
+
+/// Of equilibria, with strain energy and load in `energies`.
+Figure figure_of_equilibria(const Run& run, Panel energies) {
+  energies.series.erase(energies.series.begin());
+  energies.series[2].label = "potential of the load that acts";
+  energies.series[3].label = "sum";
+  energies.shares_x_below = false;
+  mark_ending(run, energies);
+  Figure figure;
+  figure.title = title_of(run, "Strain energy and potential of the load over time");
+  figure.alt =
+      "Plot of axial and bending strain energy, of the potential energy of the load as far as it acts, and "
+      "of "
+      "their sum over time, which change by the work of the load that grows.";
+  figure.plot.panels = {std::move(energies)};
+  figure.times = {{true, {}}};
+  return figure;
+}
+
+}  // namespace
 
 std::optional<Figure> energy_figure(const Run& run) {
   const Trajectory& trajectory = run.trajectory;
@@ -34,6 +57,7 @@ std::optional<Figure> energy_figure(const Run& run) {
   energies.series.push_back(part("total", [](const Energies& e) { return e.total(); }));
   energies.series.back().color = Color{};
   energies.series.back().dash = Dash::dashed;
+  if (!has_energy_to_keep(trajectory)) return figure_of_equilibria(run, std::move(energies));
   const double first = trajectory.energies.empty() ? 0 : trajectory.energies.front().total();
   const double kinetic = trajectory.kinetic_scale();
   Panel drift;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/base/errors.h"
 #include "engine/run/centerline_from_probes.h"
 
 namespace plumb {
@@ -17,8 +18,22 @@ SceneInput scene_without_fields(Case spec) {
 
 }  // namespace
 
+std::string fault_of_scene(const LoadedCase& loaded) {
+  if (loaded.uses("scene")) return "";
+  try {
+    load_case(loaded.source, [](std::string_view section) { return section == "scene"; });
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 SceneOfRun::SceneOfRun(const Run& run) {
   const Case& spec = run.loaded.spec;
+  if (const std::string fault = fault_of_scene(run.loaded); !fault.empty()) {
+    notes_.push_back("[scene] cannot be used: " + fault);
+    return;
+  }
   const bool reports_given = reports_given_run(spec);
   input_ = reports_given ? scene_without_fields(spec) : scene_input(spec);
   motion_ = reports_given ? drawn(run, 0) : &run.trajectory;

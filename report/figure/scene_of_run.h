@@ -9,6 +9,9 @@
 
 namespace plumb {
 
+/// Why the [scene] of a case that was read without a use for it cannot be used; empty: it can.
+std::string fault_of_scene(const LoadedCase& loaded);
+
 /// What an animation of a run shows: its motion, or what can be drawn of a given one, and the other given
 /// runs over it.
 class SceneOfRun {
@@ -18,12 +21,13 @@ class SceneOfRun {
   SceneOfRun(const SceneOfRun&) = delete;
   SceneOfRun& operator=(const SceneOfRun&) = delete;
 
-  /// The motion of the run that is reported; nullptr where there is not enough to draw.
+  /// The motion of the run that is reported; nullptr where there is not enough to draw, or its [scene] cannot
+  /// be used.
   const Trajectory* motion() const { return motion_; }
   /// For SceneRenderer, beside the motion; it must not outlive this.
   const SceneInput& input() const { return input_; }
   SceneInput& input() { return input_; }
-  /// What external runs are drawn through, or why they are not drawn; a sentence each.
+  /// What external runs are drawn through, or why they are not drawn, or nothing is; a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:

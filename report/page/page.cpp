@@ -127,7 +127,7 @@ std::string to_page(const Document& document, const Pictures& pictures,
   if (!energy.is_null()) {
     page["first_kinetic"] =
         energy.at("kinetic").empty() ? "not run" : four_digits(energy.at("kinetic").front());
-    page["drift"] = four_digits(energy.at("drift"));
+    if (dynamic) page["drift"] = four_digits(energy.at("drift"));
     page["drift_in_words"] = energy.at("drift_in_words").get<std::string>();
   }
   page["cost"] = cost_rows(document);

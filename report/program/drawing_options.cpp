@@ -19,13 +19,17 @@ std::optional<int> whole(std::string_view text) {
   return value;
 }
 
+LoadedCase for_drawing(const CaseSource& source) {
+  return load_case(source, [](std::string_view section) { return section == "scene"; });
+}
+
 /// Reads the case of a run with one more override, which stands for an option: a fault in it is one of that
 /// option, which the user typed, and not of the override.
 void check_option(const CaseSource& source, const std::string& setting, const std::string& option) {
   CaseSource with = source;
   with.overrides.push_back(setting);
   try {
-    load_case(with);
+    for_drawing(with);
   } catch (const InputError& error) {
     const std::string fault = error.what(), unknown_name = "--set " + setting;
     if (!fault.starts_with(unknown_name)) throw;
@@ -50,7 +54,6 @@ std::optional<FrameRange> asked_frames(const Options& options) {
 }
 
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
-  if (options.size.empty() && options.camera.empty() && options.overrides.empty()) return loaded;
   CaseSource source = loaded.source;
   for (const std::string& set : options.overrides) {
     if (!set.starts_with("scene."))
@@ -74,7 +77,7 @@ LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {
     check_option(source, setting, "--camera " + options.camera);
     source.overrides.push_back(setting);
   }
-  return load_case(source);
+  return for_drawing(source);
 }
 
 void add_asked(SceneOfRun& scene, const Run& run, const Options& options, std::vector<OtherRun>& others,

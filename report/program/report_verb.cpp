@@ -1,5 +1,6 @@
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
+#include "report/figure/scene_of_run.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
@@ -35,8 +36,8 @@ ExitStatus do_report(const Options& options, Console& console) {
     return report_on(*kind.read(json->text, json->name), folder, stages, options, console);
   }
   Run run = find_run(options.input);
-  check_estimate(run.loaded.spec, {.writes_run = true, .draws = true}, options.input,
-                 output_path_of_run(options), options, console);
+  check_estimate(run.loaded.spec, {.writes_run = true, .draws = fault_of_scene(run.loaded).empty()},
+                 options.input, output_path_of_run(options), options, console);
   OutputFolder folder(output_path_of_run(options), folder_from(options.input, console));
   note_renderer(run, try_drawing());
   write_run(run, folder);

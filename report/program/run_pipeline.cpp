@@ -108,7 +108,9 @@ std::string output_path(const Options& options, const LoadedCase& loaded) {
 
 Run find_run(const std::string& path) {
   std::error_code ignored;
-  return read_run(fs::is_directory(path, ignored) ? (fs::path(path) / run_file_name).string() : path);
+  // A run that was solved is worth more than what is wrong in sections that solving makes no use of.
+  return read_run(fs::is_directory(path, ignored) ? (fs::path(path) / run_file_name).string() : path,
+                  [](std::string_view) { return false; });
 }
 
 std::string output_path_of_run(const Options& options) {

@@ -9,6 +9,7 @@
 #include "report/program/run_pipeline.h"
 #include "report/program/scene_choice.h"
 #include "report/program/verbs.h"
+#include "report/study/economy/economy_section.h"
 
 namespace plumb {
 namespace {
@@ -48,7 +49,13 @@ ExitStatus do_solve(const Options& options, Console& console) {
     write_file(options.csv, to_csv(run.probes));
     console.line("probes: " + options.csv);
   }
-  if (options.json) print_json(solve_json(run));
+  if (options.json) {
+    nlohmann::ordered_json json = solve_json(run);
+    if (choice)
+      for (const RunSection& section : economy_sections(run, choice->economy))
+        json[section.key] = section.json;
+    print_json(json);
+  }
   if (run.trajectory.outcome != Outcome::completed) return ExitStatus::solver_failed;
   return choice && !choice->economy.holds ? ExitStatus::criterion_not_met : ExitStatus::done;
 }

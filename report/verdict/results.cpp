@@ -17,7 +17,12 @@ std::string step_cuts(long times, double shortest) {
   return text;
 }
 
+bool has_energy_to_keep(const Trajectory& trajectory) {
+  return trajectory.equilibria.negative_eigenvalues.empty();
+}
+
 std::string drift_in_words(const Trajectory& trajectory) {
+  if (!has_energy_to_keep(trajectory)) return "none, as the load grew and did work";
   const double relative = trajectory.relative_energy_drift();
   if (relative < 0) return "that cannot be told";
   return fmt::format(

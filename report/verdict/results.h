@@ -50,6 +50,9 @@ std::string step_cuts(long times, double shortest);
 /// anything", or what ended the integration.
 std::string outcome_reason(const Results& results);
 
+/// False of equilibria under a load that grows: it does work, and there is no energy to keep.
+bool has_energy_to_keep(const Trajectory& trajectory);
+
 /// The energy drift relative to what it is held against: "3.4e-14 of the first kinetic energy".
 std::string drift_in_words(const Trajectory& trajectory);
 

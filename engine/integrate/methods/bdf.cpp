@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/dense.h"
 #include "engine/integrate/fixed_steps.h"
 #include "engine/integrate/methods/bdf_formula.h"
 #include "engine/integrate/methods/implicit_stage.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/integrate/state_at.h"
-#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 namespace {

@@ -1,9 +1,9 @@
 #include "engine/integrate/methods/critical_modes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
 #include "engine/model/mode_shapes.h"
 
@@ -28,6 +28,7 @@ Modes modes_next_to_zero(LoadedCable& loaded) {
   double nearest = 0;
   Eigen::VectorXd x, y;
   for (int iteration = 0; iteration < iterations; ++iteration) {
+    Y.resize(n, X.cols());
     for (Eigen::Index k = 0; k < X.cols(); ++k) {
       x = X.col(k);
       cable.supports().apply(x);
@@ -50,16 +51,17 @@ Modes modes_next_to_zero(LoadedCable& loaded) {
     const Eigen::MatrixXd scale = size.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd B = scale * (Y.transpose() * MY) * scale;
     const Eigen::MatrixXd A = scale * (MY.transpose() * X) * scale;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (A + A.transpose()), B);
-    if (ritz.info() != Eigen::Success) break;
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(Y.cols()));
+    const SymmetricEigen ritz = symmetric_eigen(0.5 * (A + A.transpose()), B);
+    if (ritz.values.size() == 0) break;
+    X.resize(n, ritz.values.size());
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(X.cols()));
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
-    std::ranges::sort(order, {}, [&](Eigen::Index k) { return std::abs(ritz.eigenvalues()[k]); });
+    std::ranges::sort(order, {}, [&](Eigen::Index k) { return std::abs(ritz.values[k]); });
     near = 0;
-    nearest = ritz.eigenvalues()[order[0]];
+    nearest = ritz.values[order[0]];
     for (std::size_t k = 0; k < order.size(); ++k) {
-      if (std::abs(ritz.eigenvalues()[order[k]]) <= as_near * std::abs(ritz.eigenvalues()[order[0]])) ++near;
-      x = Y * (scale * ritz.eigenvectors().col(order[k]));
+      if (std::abs(ritz.values[order[k]]) <= as_near * std::abs(ritz.values[order[0]])) ++near;
+      x = Y * (scale * ritz.vectors.col(order[k]));
       X.col(static_cast<Eigen::Index>(k)) = x / loaded.norm(x);
     }
   }

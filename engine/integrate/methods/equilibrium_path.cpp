@@ -30,6 +30,10 @@ constexpr int most_corrections = 7;
 constexpr double step_beyond = 1e-3;
 /// Cosine of the angle by which the path may turn in a step.
 constexpr double least_straightness = 0.9;
+/// Of what the load moves at the start, beyond which corrections lead nowhere.
+constexpr double most_round_off = 0.02;
+/// The same, beyond which the sign of an eigenvalue that is not positive is round-off.
+constexpr double most_round_off_of_sign = 1e-4;
 /// A path under a primary load that goes back is followed up to the opposite of the whole load.
 constexpr double farthest_back = -1;
 
@@ -52,6 +56,15 @@ EquilibriumPath::EquilibriumPath(LoadedCable& loaded, Follow follow, int iterati
   beginning_ = loaded.settle(node.q, 0, iterations);
   if (!beginning_.ok()) return;
   node.negative = loaded.negative_eigenvalues();
+  if (const double share = loaded.share_of_round_off(node.q);
+      !(share <= (node.negative == 0 ? most_round_off : most_round_off_of_sign))) {
+    beginning_ = {Outcome::no_convergence,
+                  fmt::format("the mesh is too fine: {:.2g} of what the load moves is round-off, which grows "
+                              "with the third power of the number of elements",
+                              share),
+                  -1};
+    return;
+  }
   if (node.negative != 0) {
     beginning_ = {Outcome::unstable_equilibrium, "the unloaded cable would not stay as it starts", -1};
     return;

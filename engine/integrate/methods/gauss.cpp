@@ -4,13 +4,13 @@
 #include <complex>
 #include <utility>
 
+#include "engine/base/dense.h"
 #include "engine/integrate/linear_stability.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/integrate/methods/one_step_method.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
 #include "engine/model/cable.h"
-#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 namespace {
@@ -36,7 +36,9 @@ struct GaussTable {
 constexpr int stages = GaussTable::stages;
 using Weights = Eigen::Vector3d;
 
-/// Contraction of the corrections above which new factors pay for themselves.
+/// Of new factors, in corrections with the old ones.
+constexpr double price_of_factors = 5;
+/// Contraction of the corrections above which they pay for themselves within a step.
 constexpr double slow_stages = 0.2;
 /// Contraction above which the old factors lead astray, and the step begins anew.
 constexpr double stages_astray = 1;
@@ -59,11 +61,14 @@ struct Tableau {
     velocity = A;
     position = A * A;
     end_position = A.transpose() * b;
-    const auto [values, columns] = eigenvectors(A);
+    const auto [values, vectors] = general_eigen(A);
+    const Eigen::Matrix3cd columns = vectors * vectors.row(0).cwiseInverse().asDiagonal();
     const Eigen::Matrix3cd rows = columns.inverse();
+    Eigen::Index real_one = 0;
+    values.imag().cwiseAbs().minCoeff(&real_one);
     for (int i = 0; i < stages; ++i) {
       const Complex lambda = values[i];
-      if (lambda.imag() == 0) {
+      if (i == real_one) {
         real = lambda.real();
         real_column = columns.col(i).real();
         real_row = rows.row(i).real().transpose();
@@ -158,7 +163,7 @@ class Gauss : public OneStepMethod {
 
   StepResult solve(double h, const State& from) {
     const Cable& cable = dynamics().cable();
-    bool renew = factored_h_ != h;
+    bool renew = factored_h_ != h || wear_.is_worn();
     bool old = !renew;  // the factors are those of an earlier step
     guess_ = x_;
     CorrectionSize correction;
@@ -181,8 +186,10 @@ class Gauss : public OneStepMethod {
       if (!std::isfinite(correction.metres)) break;
       const double rate = before > 0 ? correction.metres / before : 1;
       if (left_after(correction.metres, before, renew) <= tolerance_ ||
-          is_round_off(correction.metres, before, cable.length()))
+          is_round_off(correction.metres, before, cable.length())) {
+        wear_.step_took(i + 1);
         return {};
+      }
       renew = old && before > 0 && rate > slow_stages;
       if (old && before > 0 && rate > stages_astray) {
         x_ = guess_;
@@ -252,6 +259,7 @@ class Gauss : public OneStepMethod {
     ++dynamics().counters.factorizations;
     if (const auto node = lu_.factor(matrix_)) return node;
     factored_h_ = h;
+    wear_.renewed();
     return std::nullopt;
   }
 
@@ -298,6 +306,7 @@ class Gauss : public OneStepMethod {
   Stages x_, last_x_;          // accelerations of this step and the last
   Stages guess_, residual_;
   double factored_h_ = 0;  // s; 0: no factors
+  MatrixWear wear_{price_of_factors};
   BlockTridiagonal mass_, stiffness_;
   GeneralBlockTridiagonal<Complex> matrix_;
   BlockLu<Complex> lu_;
@@ -329,7 +338,7 @@ MethodEntry gauss_entry() {
   info.parameters = newton_parameters();
   // What the iteration leaves over is a velocity of its size over h, step after step: more than a high order
   // allows.
-  info.parameters.front().fallback = 1e-14;
+  info.parameters.front().fallback = 1e-13;
   return {info, made<Gauss>};
 }
 

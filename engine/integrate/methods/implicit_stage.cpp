@@ -9,8 +9,9 @@
 namespace plumb {
 namespace {
 
-/// Contraction of the corrections above which a new matrix pays for itself: it costs as much as some two and
-/// a half corrections with the old one.
+/// Of a new matrix, in corrections with the old one.
+constexpr double price = 2.5;
+/// Contraction of the corrections above which it pays for itself within a step.
 constexpr double slow = 0.15;
 /// Contraction above which the old matrix leads astray, and the step begins anew.
 constexpr double astray = 1;
@@ -20,14 +21,15 @@ constexpr double astray = 1;
 ImplicitStage::ImplicitStage(const MethodSpec& spec, Dynamics& dynamics)
     : tolerance_(spec.parameters.at("newton_tolerance") * dynamics.cable().length()),
       iterations_(static_cast<int>(spec.parameters.at("newton_iterations"))),
-      dynamics_(dynamics) {}
+      dynamics_(dynamics),
+      wear_(price) {}
 
 StepResult ImplicitStage::solve(const StageTerms& stage, const Instant& at, double position,
                                 Eigen::VectorXd& x, double leftover) {
   const Cable& cable = dynamics_.cable();
   const double stiffness = stage.force * stage.reach;
   bool renew = !has_factors_ || factored_mass_ != stage.mass || factored_stiffness_ != stiffness ||
-               factored_reach_ != at.reach;
+               factored_reach_ != at.reach || wear_.is_worn();
   bool old = !renew;  // the matrix is that of an earlier step
   StageTerms terms = stage;
   const auto metres = [&](const StageCorrection& correction) {
@@ -57,12 +59,16 @@ StepResult ImplicitStage::solve(const StageTerms& stage, const Instant& at, doub
       factored_stiffness_ = stiffness;
       factored_reach_ = at.reach;
       old = false;
+      wear_.renewed();
     }
     if (!correction.finite) break;
     const double size = metres(correction);
-    if (size == 0) return {};
     const double rate = before > 0 ? size / before : 1;
-    if (left_after(size, before, renew) <= allowed || is_round_off(size, before, cable.length())) return {};
+    if (size == 0 || left_after(size, before, renew) <= allowed ||
+        is_round_off(size, before, cable.length())) {
+      wear_.step_took(i + 1);
+      return {};
+    }
     renew = before > 0 && rate > slow;
     if (old && before > 0 && rate > astray && i + 1 < iterations_) {
       terms.from = stage.from;

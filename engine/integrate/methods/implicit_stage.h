@@ -10,7 +10,8 @@ namespace plumb {
 /// Newton's iteration for an implicit stage (StageTerms). Its matrix, mass · M + force · (reach · K +
 /// reach of the rates · C), is kept
 /// as long as the iteration contracts well with it, over several steps if it does, and renewed where it does
-/// not. It ends when what is left of the error, as judged by the contraction seen, is within the tolerance.
+/// not or where that would be cheaper. It ends when what is left of the error, as judged by the contraction
+/// seen, is within the tolerance.
 class ImplicitStage {
  public:
   /// Takes newton_tolerance and newton_iterations of `spec`.
@@ -28,6 +29,7 @@ class ImplicitStage {
   int iterations_;
   Dynamics& dynamics_;
   bool has_factors_ = false;
+  MatrixWear wear_;
   double factored_mass_ = 0, factored_stiffness_ = 0, factored_reach_ = 0;
   Eigen::VectorXd next_;
 };

@@ -107,6 +107,19 @@ void LoadedCable::solve(Eigen::VectorXd& x) const {
   take_out_turn(x);
 }
 
+double LoadedCable::share_of_round_off(const Eigen::VectorXd& q) const {
+  Eigen::VectorXd moved = load_, left;
+  solve(moved);
+  BlockTridiagonal K(cable().nodes());
+  cable().system(q, 0, 1, K);
+  cable().supports().apply(K);
+  K.multiply(moved, left);
+  left = load_ - left;
+  solve(left);
+  const double size = norm(moved);
+  return size > 0 ? norm(left) / size : 0;
+}
+
 StepResult LoadedCable::settle(Eigen::VectorXd& q, double share, int iterations) {
   const double l = cable().element().length();
   CorrectionSize correction;

@@ -68,6 +68,24 @@ inline double left_after(double size, double before, bool fresh) {
   return size * std::max(promised, std::min(growth, trust * promised));
 }
 
+/// When a matrix that is kept over several steps has become dear: its corrections a step are more than with a
+/// new one, whose price counts as so many corrections, they would be on average over its time.
+class MatrixWear {
+ public:
+  explicit MatrixWear(double price) : price_(price) {}
+  void renewed() { steps_ = corrections_ = 0; }
+  void step_took(int corrections) {
+    constexpr double latest = 4;  // steps that count
+    ++steps_;
+    corrections_ += corrections;
+    recent_ = steps_ > 1 ? recent_ + (corrections - recent_) / latest : corrections;
+  }
+  bool is_worn() const { return steps_ > 0 && recent_ > (price_ + corrections_) / steps_; }
+
+ private:
+  double price_, recent_ = 0, corrections_ = 0, steps_ = 0;
+};
+
 /// Whether a correction of that size, m, after one of `before`, is round-off, which gets no smaller.
 inline bool is_round_off(double size, double before, double cable_length) {
   constexpr double share = 3e-14, contracts = 0.15;

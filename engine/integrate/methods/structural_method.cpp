@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
-#include "engine/model/dense_eigenvalues.h"
 
 namespace plumb {
 
@@ -16,6 +16,52 @@ StructuralMethod::StructuralMethod(const StructuralScheme& scheme, const MethodS
   if (scheme_.force_old != 0) dynamics.force(start.q, old_force_, {start.t, start.v.data()});
   // What is wrong with the start itself is found by the first step.
   dynamics.take_collapsed();
+}
+
+std::array<double, 3> StructuralMethod::weights(Guess guess, double over) const {
+  const auto [gap, older_gap] = gaps_;
+  switch (guess) {
+    case coasting:
+      return {-scheme_.position_old / scheme_.position_new, 0, 0};
+    case constant:
+      return {1, 0, 0};
+    case linear:
+      return {1 + over / gap, -over / gap, 0};
+    case quadratic: {
+      // Of Newton's form, by divided differences.
+      const double twice = over * (over + gap) / (gap + older_gap);
+      return {1 + over / gap + twice / gap, -over / gap - twice / gap - twice / older_gap, twice / older_gap};
+    }
+  }
+  return {};
+}
+
+StepResult StructuralMethod::solve(Guess guess, double h, StageTerms& stage, const Instant& at) {
+  const auto [last, past, older] = weights(guess, between(h));
+  if (guess == quadratic) guess_ = last * a_ + past * past_a_[0] + older * past_a_[1];
+  if (guess == linear) guess_ = last * a_ + past * past_a_[0];
+  const bool made = guess == linear || guess == quadratic;
+  // What is held stays so, whatever round-off is extrapolated to.
+  if (made) dynamics().cable().supports().apply(guess_);
+  stage.from = {made ? 1 : last, made ? guess_.data() : a_.data()};
+  return stage_.solve(stage, at, h * h * scheme_.position_new, next_a_, allowed_leftover(h));
+}
+
+StructuralMethod::Guess StructuralMethod::nearest_guess(double h) const {
+  constexpr double clearly = 0.25;
+  Guess nearest = next_plain_;
+  double least = clearly * (next_a_ - weights(nearest, between(h))[0] * a_).squaredNorm();
+  for (const Guess guess : {linear, quadratic}) {
+    if (!(gaps_[guess == linear ? 0 : 1] > 0)) break;
+    const auto [last, past, older] = weights(guess, between(h));
+    const double distance =
+        guess == linear ? (next_a_ - last * a_ - past * past_a_[0]).squaredNorm()
+                        : (next_a_ - last * a_ - past * past_a_[0] - older * past_a_[1]).squaredNorm();
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = guess;
+  }
+  return nearest;
 }
 
 StepResult StructuralMethod::advance(double h, const State& from, State& to) {
@@ -33,22 +79,22 @@ StepResult StructuralMethod::advance(double h, const State& from, State& to) {
   Instant at{from.t + s.point * h, from.v.data()};
   if (s.velocity_old != 0) at.plus = {s.point * h * s.velocity_old, a_.data()};
   at.reach = s.point * h * s.velocity_new;
-  // Two guesses: the acceleration of the step before; and that with which q₁ is q₀ + h v₀, which is the
-  // better one where accelerations change at once, such as at a start, where those beside a support grow with
-  // the fineness of the mesh. What took many corrections is not guessed again.
+  // What took many corrections is not guessed again.
   constexpr long many = 6;
-  const auto solve = [&](bool coasting) {
-    stage.from = {coasting ? -s.position_old / s.position_new : 1, a_.data()};
-    return stage_.solve(stage, at, h2 * s.position_new, next_a_, allowed_leftover(h));
-  };
+  const Guess other = plain_ == coasting ? constant : coasting;
   const long before = dynamics().counters.newton_iterations;
-  next_coasting_ = coasting_;
-  if (StepResult result = solve(coasting_); !result.ok()) {
-    if (!solve(!coasting_).ok()) return result;
-    next_coasting_ = !coasting_;
-  } else if (dynamics().counters.newton_iterations - before > many) {
-    next_coasting_ = !coasting_;
+  const auto took_many = [&] { return dynamics().counters.newton_iterations - before > many; };
+  next_plain_ = plain_;
+  StepResult result = solve(first_guess_, h, stage, at);
+  if (!result.ok() && first_guess_ != plain_) result = solve(plain_, h, stage, at);
+  if (!result.ok()) {
+    if (!solve(other, h, stage, at).ok()) return result;
+    next_plain_ = other;
+  } else if (took_many()) {
+    next_plain_ = other;
   }
+  // Where accelerations are rough, extrapolation is near by chance alone.
+  next_guess_ = took_many() ? next_plain_ : nearest_guess(h);
   Sum q(from.q), v(from.v);
   q.plus(h, from.v).plus(h2 * s.position_new, next_a_).into(to.q);
   v.plus(h * s.velocity_new, next_a_).into(to.v);
@@ -65,13 +111,15 @@ void StructuralMethod::estimate_error(double h, const State&, const State&, Eige
     e = (scheme_.error * h * h) * next_a_;
     return;
   }
-  // x and a₀ lie this far apart.
-  const double between = scheme_.time * h + (1 - scheme_.time) * last_h_;
-  e = (scheme_.error * h * h * h / between) * (next_a_ - a_);
+  e = (scheme_.error * h * h * h / between(h)) * (next_a_ - a_);
 }
 
 void StructuralMethod::accept() {
-  coasting_ = next_coasting_;
+  first_guess_ = next_guess_;
+  plain_ = next_plain_;
+  gaps_ = {between(h_), gaps_[0]};
+  std::swap(past_a_[0], past_a_[1]);
+  std::swap(past_a_[0], a_);
   std::swap(a_, next_a_);
   std::swap(old_force_, force_);
   last_h_ = h_;

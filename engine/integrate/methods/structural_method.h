@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <utility>
 
 #include "engine/integrate/methods/implicit_stage.h"
@@ -57,12 +58,30 @@ class StructuralMethod : public OneStepMethod {
   void estimate_error(double h, const State& from, const State& to, Eigen::VectorXd& e) override;
   void accept() override;
 
+  /// From x of the steps before: that with which q₁ is q₀ + h v₀, which is the best one where accelerations
+  /// change at once, such as at a start, where those beside a support grow with the fineness of the mesh; the
+  /// last one; and by lines and parabolas through the last.
+  enum Guess { coasting, constant, linear, quadratic };
+
+  /// Time between x of this step of h and of the last, s.
+  double between(double h) const { return scheme_.time * h + (1 - scheme_.time) * last_h_; }
+  /// What x of the last steps counts in a guess, the latest first.
+  std::array<double, 3> weights(Guess guess, double over) const;
+  StepResult solve(Guess guess, double h, StageTerms& stage, const Instant& at);
+  /// That which would have been nearest to x in the step just made: a line or a parabola where it is clearly
+  /// nearer than `next_plain_`.
+  Guess nearest_guess(double h) const;
+
   StructuralScheme scheme_;
   ImplicitStage stage_;
-  Eigen::VectorXd a_, next_a_;                   // x of the last step and of this one
-  Eigen::VectorXd old_force_, force_;            // f(q₀) and f(q₁), where the scheme needs them
-  bool coasting_ = true, next_coasting_ = true;  // which guess comes first
-  double h_ = 0, last_h_ = 0;                    // of this step and the last, s; 0: none
+  Eigen::VectorXd a_, next_a_;             // x of the last step and of this one
+  std::array<Eigen::VectorXd, 2> past_a_;  // and of those before, the latest first
+  std::array<double, 2> gaps_{};           // between x of the last steps, s; 0: there is none
+  Eigen::VectorXd guess_;
+  Eigen::VectorXd old_force_, force_;               // f(q₀) and f(q₁), where the scheme needs them
+  Guess plain_ = coasting, next_plain_ = coasting;  // the one of the first two that serves
+  Guess first_guess_ = coasting, next_guess_ = coasting;
+  double h_ = 0, last_h_ = 0;  // of this step and the last, s; 0: none
 };
 
 /// Spectral radius of a step of the scheme for a vibration with ωh = z (MethodInfo::amplification).

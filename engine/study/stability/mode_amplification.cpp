@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "engine/base/least_squares.h"
+#include "engine/base/dense.h"
 #include "engine/base/parallel.h"
 #include "engine/integrate/dynamics.h"
 #include "engine/integrate/linear_stability.h"

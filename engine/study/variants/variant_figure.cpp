@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "engine/base/least_squares.h"
+#include "engine/base/dense.h"
 #include "engine/case/probe_columns.h"
 #include "engine/case/variant_quantities.h"
 
@@ -63,7 +63,9 @@ double of_run(const ExpectationSpec& expected, const VariantResult& variant,
       if (other.spec.name == expected.from) return distance(t, other.trajectory);
     return none;
   }
-  if (t.energies.empty()) return none;
+  // Of equilibria under a load that grows there is no energy to keep.
+  const bool is_energy = what.starts_with("energy-");
+  if (t.energies.empty() || (is_energy && !t.equilibria.negative_eigenvalues.empty())) return none;
   const double first = t.energies.front().total(), last = t.energies.back().total();
   if (what == "energy-ratio") return last / first;
   if (what == "energy-change") return (last - first) / t.kinetic_scale();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
@@ -28,7 +29,7 @@ DenseCorrection dense_correction(const Cable& cable, const Eigen::VectorXd& q, c
   cable.system(point, 1, reach, A);
   cable.supports().apply(A);
   const Eigen::MatrixXd full = A.dense();
-  return {full.fullPivLu().solve(residual), full.llt().info() == Eigen::Success};
+  return {solved(full, residual), symmetric_eigen(full).values[0] > 0};
 }
 
 class Corrections : public testing::TestWithParam<CableModel> {

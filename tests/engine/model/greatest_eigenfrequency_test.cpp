@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <ctime>
 #include <limits>
 #include <random>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
@@ -30,8 +30,7 @@ double dense_frequency(const Cable& cable, const Eigen::VectorXd& q) {
     if (unit[i] != 0) kept.push_back(i);
   }
   const Eigen::MatrixXd k = K.dense()(kept, kept), m = M.dense()(kept, kept);
-  const double greatest =
-      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(k, m).eigenvalues().maxCoeff();
+  const double greatest = symmetric_eigen(k, m).values.maxCoeff();
   return std::sqrt(std::max(greatest, 0.0));
 }
 

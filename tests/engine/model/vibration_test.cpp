@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <random>
 
+#include "engine/base/dense.h"
 #include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
 
@@ -24,8 +24,7 @@ std::vector<double> frequencies(const Case& spec, int axis) {
     if (unit[i] != 0) kept.push_back(i);
   }
   const Eigen::MatrixXd k = K.dense()(kept, kept), m = M.dense()(kept, kept);
-  const Eigen::VectorXd values =
-      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(k, m).eigenvalues();
+  const Eigen::VectorXd values = symmetric_eigen(k, m).values;
   std::vector<double> result;
   for (const double value : values)
     if (value > 1e-6 * values.maxCoeff() * 1e-6) result.push_back(std::sqrt(std::max(0.0, value)));

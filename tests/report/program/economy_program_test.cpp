@@ -52,6 +52,21 @@ TEST(EconomyProgram, RunsWhatTheSceneNeedsSaysWhyAndUsesItAgain) {
   EXPECT_EQ(other.out.find("known from an earlier search"), std::string::npos) << other.out;
 }
 
+TEST(EconomyProgram, SolveTellsItsChoiceInJson) {
+  const TemporaryFolder folder;
+  write_text(folder / "rod.toml", rod());
+  const Ended ended = plumb_in(folder.path(), {"solve", "rod.toml", "--csv", "rod.csv", "--json"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json economy = Json::parse(ended.out).at("economy");
+  EXPECT_TRUE(economy.at("holds").get<bool>()) << economy;
+  const Json chosen = economy.at("tried").at(economy.at("chosen").get<std::size_t>());
+  EXPECT_EQ(chosen.at("cable").at("model"), "rigid") << chosen;
+  EXPECT_GT(chosen.at("method").at("step").get<double>(), 0) << chosen;
+  const Ended plain = plumb_in(folder.path(), {"solve", "rod.toml", "--csv", "rod.csv", "--json", "--set",
+                                               "method={ name = 'rk4', step = 1e-4 }"});
+  EXPECT_FALSE(Json::parse(plain.out).contains("economy")) << plain.out << plain.err;
+}
+
 TEST(EconomyProgram, TheReportOfARunHasItsChoiceAgain) {
   const TemporaryFolder folder;
   write_text(folder / "rod.toml", rod());

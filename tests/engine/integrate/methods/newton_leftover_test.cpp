@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
+#include "engine/base/dense.h"
 #include "engine/integrate/method.h"
 #include "engine/integrate/methods/newton.h"
 #include "engine/model/cable.h"
@@ -25,7 +24,7 @@ double left_over(const Cable& cable, const State& from, const State& to, double 
   BlockTridiagonal A(cable.nodes());
   cable.system(q, 1, point * reach * h * h, A);
   cable.supports().apply(A);
-  const Eigen::VectorXd change = A.dense().fullPivLu().solve(f);
+  const Eigen::VectorXd change = solved(A.dense(), f);
   return correction_size(change, reach * h * h, cable.element().length()).metres;
 }
 
@@ -56,6 +55,32 @@ TEST(NewtonLeftover, IsWithinTheToleranceOfTheIteration) {
             "{}, f = {}, h = {}: {:.2g} m are left, {:g} m are allowed", name, f, h, worst, tolerance);
         RecordProperty(fmt::format("{}_{}_{}", name, f, h), fmt::format("{:.3g}", worst / tolerance));
       }
+}
+
+TEST(NewtonLeftover, TakesTwoCorrectionsInShortStepsOfASmoothMotion) {
+  const Case spec = pendulum(5, 4);
+  for (const char* name :
+       {"generalized-alpha", "hht", "trapezoidal", "implicit-midpoint", "implicit-euler"}) {
+    const Trajectory done = run(spec, method(name, 1e-4), {0.2, 0.2});
+    const double corrections =
+        1.0 * static_cast<double>(done.counters.newton_iterations) / static_cast<double>(done.counters.steps);
+    EXPECT_LE(corrections, 2.2) << name;
+    EXPECT_GE(corrections, 1) << name;
+  }
+}
+
+TEST(MatrixWear, IsWornWhenItsCorrectionsCostMoreThanWithANewMatrix) {
+  MatrixWear wear(2.5);
+  EXPECT_FALSE(wear.is_worn());
+  for (int step = 0; step < 100; ++step) {
+    wear.step_took(2);
+    EXPECT_FALSE(wear.is_worn()) << "nothing is gained by another after " << step << " steps";
+  }
+  int steps = 0;
+  for (; steps < 10 && !wear.is_worn(); ++steps) wear.step_took(3);
+  EXPECT_LE(steps, 2) << "one more correction a step";
+  wear.renewed();
+  EXPECT_FALSE(wear.is_worn());
 }
 
 }  // namespace newton_leftover_test

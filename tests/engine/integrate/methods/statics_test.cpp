@@ -392,5 +392,32 @@ TEST(Statics, OutputsOfOneLargeStepAreThoseOfManySmallOnesInASlenderCable) {
   EXPECT_LE(tip_distance(at_once, slowly), 1e-9) << "m";
 }
 
+TEST(Statics, PotentialEnergyIsThatOfTheLoadThatActs) {
+  Case spec = cantilever(1, 1e-4, 1e-9, 1e7, 4);
+  spec.loads.end_force = {0, 0.01, 0};
+  const Trajectory done = run(spec, method("statics", 0.5), {1, 0.25});
+  ASSERT_EQ(done.outcome, Outcome::completed) << done.message;
+  ASSERT_EQ(done.interpolated_outputs, 2);
+  for (std::size_t k = 0; k < done.times.size(); ++k) {
+    const double work = -done.times[k] * 0.01 * tip(done, k).y();
+    EXPECT_NEAR(done.energies[k].potential, work, 1e-12 * std::abs(work)) << "at " << done.times[k];
+    EXPECT_EQ(done.energies[k].interpolation, 0) << "an equilibrium is no interpolation";
+    // A small load does half of its work on the way, which is stored as strain energy.
+    if (k > 0) {
+      EXPECT_NEAR(done.energies[k].total() / done.energies[k].potential, 0.5, 0.1);
+    }
+  }
+}
+
+TEST(Statics, RefusesAMeshOnWhichEquilibriaAreRoundOff) {
+  Case spec = cantilever(1, 1e-4, 8e-10, 1e7, 40000);
+  spec.loads.end_force = {0, 0.1, 0};
+  const Trajectory done = settle(spec, 1);
+  EXPECT_EQ(done.outcome, Outcome::no_convergence);
+  EXPECT_NE(done.message.find("the mesh is too fine"), std::string::npos) << done.message;
+  EXPECT_EQ(done.message.find("more elements"), std::string::npos) << done.message;
+  EXPECT_LE(done.counters.factorizations, 10) << "it is known at the start";
+}
+
 }  // namespace statics_test
 }  // namespace plumb
