@@ -43,8 +43,10 @@ class Solver {
     std::vector<ComplexMode> modes = projected(base_.shapes.cols());
     // On fewer of them, which tells how much is left out.
     const std::vector<ComplexMode> less = projected(base_.shapes.cols() - base_.shapes.cols() / 4);
-    for (std::size_t k = 0; k < std::min(count_, modes.size()); ++k) {
+    for (std::size_t k = 0; k < modes.size(); ++k) {
       ComplexMode& mode = modes[k];
+      // Those alike the last are turned together with it.
+      if (k >= count_ && !alike(result.modes.back(), mode)) break;
       if (!mode.rigid_body && !refine(mode) && !(k < less.size() && is_settled(mode, less[k]))) {
         result.failure = fmt::format("Newton's iteration for mode {} did not converge", k + 1);
         return result;
@@ -55,6 +57,7 @@ class Solver {
     turn_those_alike(result.modes);
     if (const auto same = found_twice(result.modes))
       result.failure = fmt::format("modes {} and {} are the same", *same, *same + 1);
+    result.modes.resize(std::min(count_, result.modes.size()));
     return result;
   }
 

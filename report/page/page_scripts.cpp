@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "engine/run/mode_table.h"
-#include "engine/run/mode_table.h"
 #include "report/base/base64.h"
 #include "report/base/escape.h"
 #include "report/page/page_template.h"

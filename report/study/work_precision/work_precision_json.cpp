@@ -8,8 +8,12 @@
 namespace plumb {
 
 inline std::array<MethodFamily, 7> enum_values(MethodFamily) {
-  return {MethodFamily::explicit_one_step, MethodFamily::structural,  MethodFamily::implicit_stages,
-          MethodFamily::multistep,         MethodFamily::constrained, MethodFamily::quasi_static,
+  return {MethodFamily::explicit_one_step,
+          MethodFamily::structural,
+          MethodFamily::implicit_stages,
+          MethodFamily::multistep,
+          MethodFamily::constrained,
+          MethodFamily::quasi_static,
           MethodFamily::modal};
 }
 

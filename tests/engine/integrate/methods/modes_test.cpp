@@ -361,6 +361,17 @@ TEST(Modes, OfOneFrequencyComeAlongTheAxes) {
   }
 }
 
+TEST(Modes, OfOneFrequencyComeAlongTheAxesAlsoWhereDampedAndCutOffBetween) {
+  Case spec = wire(2, 5e-3, 8, Support::pinned, Support::pinned);
+  spec.damping.material = 1e-3;
+  const Trajectory found = modes(spec, 3);
+  ASSERT_EQ(found.outcome, Outcome::completed) << found.message;
+  ASSERT_EQ(found.vibrations.modes.size(), 3U);
+  const Eigen::VectorXd& shape = found.vibrations.modes[2].shape;
+  for (Eigen::Index at = 0; at < shape.size(); at += 3)
+    EXPECT_LT((shape.segment<3>(at) - shape[at + 1] * Vec3::UnitY()).norm(), 1e-6 * shape.norm()) << at;
+}
+
 TEST(Modes, ScaleWithTheUnitsOfTheirCase) {
   Case spec = wire(2, 5e-3, 8, Support::clamped, Support::pinned);
   const std::vector<double> before = frequencies(modes(spec, 4));
