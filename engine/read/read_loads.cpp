@@ -16,13 +16,11 @@ constexpr double round_off = 1e-12;
 
 /// Torsion is not modelled, so that nothing turns about the cable's own axis.
 void check_moment(const TableReader& table, const LoadSpec& load, const Vec3& direction) {
-  const double size = load.value.norm(), along = std::abs(load.value.dot(direction));
-  if (load.follows && along > round_off * size)
-    table.refuse_value("value",
-                       "a moment that follows must be across the cable at the start: its part along "
-                       "it stays there, where nothing can turn");
-  if (size > 0 && load.value.cross(direction).norm() <= round_off * size)
-    table.refuse_value("value", "the moment is along the cable at the start, where nothing can turn");
+  if (std::abs(load.value.dot(direction)) > round_off * load.value.norm())
+    table.refuse_value(
+        "value",
+        "a moment must be across the cable at the start: there is no torsion, so that its part "
+        "along the cable has nothing to turn");
 }
 
 LoadSpec read_load(TableReader& table, CableModel model, const Vec3& direction,

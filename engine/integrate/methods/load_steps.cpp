@@ -26,6 +26,8 @@ constexpr double of_round_off = 1e10;
 constexpr double most_turn_between = 0.5;
 /// Halvings of a load step, at most: beyond, the cable has snapped to a place far away, if to any.
 constexpr int most_halved_steps = 16;
+/// Parts of a load step that are tried, at most.
+constexpr int most_parts = 3000;
 
 /// f(q, share t/T) − ∂U/∂q = 0 by Newton's iteration, in which all loads grow in proportion to time, beside
 /// what a factor of their own does. A load step is halved until each equilibrium is near the one before it,
@@ -92,7 +94,10 @@ class LoadSteps : public Method {
     const double l = dynamics_.cable().element().length();
     Eigen::VectorXd here = start, change = Eigen::VectorXd::Zero(start.size());
     double at = from, part = to - from, last_part = 0;
-    while (at != to) {
+    for (int parts = 0; at != to; ++parts) {
+      if (parts == most_parts)
+        return {Outcome::no_convergence,
+                fmt::format("{} parts of a load step lead to {:.6g} of the load only", most_parts, at), -1};
       const bool ends = part >= to - at;
       if (ends) part = to - at;
       const Eigen::VectorXd guess = last_part > 0 ? here + (part / last_part) * change : here;

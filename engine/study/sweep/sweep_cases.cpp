@@ -111,10 +111,11 @@ class DrawnLoads {
       Vec3 value = size * any_direction();
       Eigen::Index across = 0;
       const double along = file_.start.direction.cwiseAbs().minCoeff(&across);
-      // A moment is across the cable, to the last digit.
-      if (kind == LoadKind::moment && (along != 0 || file_.cable.model == CableModel::chain))
-        kind = LoadKind::force;
-      if (kind == LoadKind::moment) value = 0.1 * value.norm() * file_.cable.length * Vec3::Unit(across);
+      // A moment is across the cable, to the last digit, and bends it to some arc: one of the size of the
+      // weight times the length would crumple it in a way that no two methods agree on.
+      const double bent = file_.cable.youngs_modulus * file_.cable.second_moment / file_.cable.length;
+      if (kind == LoadKind::moment && (along != 0 || bent == 0)) kind = LoadKind::force;
+      if (kind == LoadKind::moment) value = value.norm() / weight() * bent * Vec3::Unit(across);
       if (kind == LoadKind::distributed) value /= file_.cable.length;
       list += fmt::format("{}{{kind=\"{}\", {}value=[{:.3g}, {:.3g}, {:.3g}], follows={}, factor=\"{}\"}}",
                           list.empty() ? "" : ", ", word(kind),

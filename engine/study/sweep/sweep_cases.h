@@ -14,8 +14,8 @@ inline constexpr long runs_of_a_model = 8;
 /// What makes random model m of a file's case, as --set takes it; it depends on the seed and m alone:
 /// elements (1 to 16), every pair of supports, strain model, quadrature, slope rates, the end (0.05 to 0.5 s,
 /// with 20 outputs), and the parameter f (1 to 20, of equal ratio) if the case has it. Each in one of three
-/// models, where the file has none itself: loads of up to three weights, that change or follow or do not; a
-/// mass; damping; supports that move.
+/// models, where the file has none itself: loads of up to three weights, and moments of up to some EI/L, that
+/// change or follow or do not; a mass; damping; supports that move.
 std::vector<std::string> model_overrides(const Case& file_case, long seed, long model);
 
 /// What makes case k of its model: a method that takes the model, with a step from far below the explicit

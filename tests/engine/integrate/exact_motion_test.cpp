@@ -149,7 +149,7 @@ TEST_P(EveryMethod, LeavesAUniformStretchBetweenTwoPinsUniform) {
 }
 
 TEST_P(EveryMethod, HoldsItsSupports) {
-  for (const SupportsSpec ends :
+  for (const SupportsSpec& ends :
        {SupportsSpec{Support::pinned, Support::free}, SupportsSpec{Support::clamped, Support::pinned},
         SupportsSpec{Support::free, Support::clamped}}) {
     Case spec = pendulum(5, 3);

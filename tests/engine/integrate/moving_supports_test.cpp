@@ -153,6 +153,20 @@ TEST(MovingSupports, HoldTheEndsWhereTheyAreAtEveryOutputOfEveryMethod) {
     }
 }
 
+TEST(MovingSupports, ThatTurnAreRefusedByMethodsForForcesThatDoNotDependOnRates) {
+  for (const MethodInfo& info : method_infos()) {
+    if (!info.dynamic) continue;
+    Case spec = moved(Kind::turned);
+    spec.damping = {};
+    const MethodSpec with = info.takes_step ? method(info.name, 1e-3) : method(info.name, {}, 1e-6);
+    if (info.takes_rotation)
+      EXPECT_EQ(run(spec, with, {0.01, 0.01}).outcome, Outcome::completed) << info.name;
+    else
+      EXPECT_THROW(run(spec, with, {0.01, 0.01}), std::invalid_argument) << info.name;
+  }
+  EXPECT_FALSE(find_method("energy-momentum")->takes_rotation);
+}
+
 TEST(MovingSupports, DoTheWorkThatIsMissingInTheEnergy) {
   for (const Kind kind : {Kind::carried, Kind::pulled, Kind::turned}) {
     const Trajectory& trajectory = true_motion(kind);

@@ -57,7 +57,7 @@ TEST(Outcome, StateThatIsNotFiniteIsDiverged) {
   const Case spec = pendulum(5, 4);
   const Cable cable(spec);
   State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
-  const Monitor monitor(cable, start);
+  const Monitor monitor(cable, start, spec.time.end);
   EXPECT_TRUE(monitor.check(start).ok());
   State bad = start;
   bad.v[20] = std::numeric_limits<double>::quiet_NaN();
@@ -69,7 +69,7 @@ TEST(Outcome, EnergyBeyondItsBoundIsUnstableAndWithinItIsNot) {
   const Case spec = pendulum(5, 4);
   const Cable cable(spec);
   const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
-  const Monitor monitor(cable, start);
+  const Monitor monitor(cable, start, spec.time.end);
   const double kinetic = cable.energies(start.q, start.v).kinetic;
   const auto with_growth = [&](double growth) {
     State state = start;

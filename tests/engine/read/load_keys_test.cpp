@@ -67,12 +67,11 @@ TEST(LoadKeys, OfABadValueAreRefusedWithTheirPlaceAndWhatIsAllowed) {
            {force + "factor = \"1 / (t - 1)\"",
             "case.toml:75:10: load.0.factor = \"1 / (t - 1)\": is …at t = 1 s; must be finite"},
            {"[[load]]\nkind = \"moment\"\nat = 1\nvalue = [3, 0, 4]",
-            "case.toml:74:9: load.0.value = [3, 0, 4]: the moment is along the cable at the start, where "
-            "nothing "
-            "can turn"},
+            "case.toml:74:9: load.0.value = [3, 0, 4]: a moment must be across the cable at the start: …"},
+           {"[[load]]\nkind = \"moment\"\nat = 1\nvalue = [0, 1, 1]",
+            "case.toml:74:9: load.0.value = [0, 1, 1]: a moment must be across the cable at the start: …"},
            {"[[load]]\nkind = \"moment\"\nat = 1\nvalue = [3, 1, 4]\nfollows = true",
-            "case.toml:74:9: load.0.value = [3, 1, 4]: a moment that follows must be across the cable at the "
-            "start: …"},
+            "case.toml:74:9: load.0.value = [3, 1, 4]: a moment must be across the cable at the start: …"},
            {"[[load]]\nkind = \"moment\"\nat = 1\nvalue = [0, 1, 0]",
             "case.toml:72:8: load.0.kind = \"moment\": a chain does not bend, …",
             {"cable.model=chain"}},

@@ -30,11 +30,16 @@ TEST(SweepCases, DependOnSeedAndNumberAlone) {
 
 TEST(SweepCases, AreTheSameOnEveryMachine) {
   const LoadedCase loaded = tiny_sweep_case();
-  EXPECT_EQ(model_overrides(loaded.spec, 1, 0),
-            (std::vector<std::string>{
-                "parameters.f=2.18438", "cable.elements=1", "cable.strain=engineering-material",
-                "cable.quadrature=full", "supports.first=clamped", "supports.last=free",
-                "start.slope_rates=zero", "time.output_interval=0.009559", "time.end=0.19118"}));
+  EXPECT_EQ(
+      model_overrides(loaded.spec, 1, 0),
+      (std::vector<std::string>{
+          "parameters.f=2.18438", "cable.elements=1", "cable.strain=engineering-material",
+          "cable.quadrature=full", "supports.first=clamped", "supports.last=free", "start.slope_rates=zero",
+          "time.output_interval=0.009559", "time.end=0.19118",
+          "load=[{kind=\"distributed\", value=[-0.0393, -0.00226, 0.0394], follows=false, "
+          "factor=\"-0.608*(1-cos(62.2*t))\"}, {kind=\"distributed\", value=[0.000933, 0.00235, 0.00201], "
+          "follows=true, factor=\"-0.361*(1-cos(22.5*t))\"}]",
+          "mass=[{at=0.169, mass=0.0604}]"}));
 }
 
 TEST(SweepCases, AreValidAndReachEveryMethodPairOfSupportsAndEnd) {
@@ -56,6 +61,18 @@ TEST(SweepCases, AreValidAndReachEveryMethodPairOfSupportsAndEnd) {
     reached("end", model.time.end);
     reached("strain", model.cable.strain == StrainModel::green_geometric);
     reached("quadrature", model.cable.quadrature == QuadratureRule::full);
+    reached("loads", static_cast<double>(model.loads.applied.size()));
+    for (const LoadSpec& load : model.loads.applied) {
+      reached("kind of load", static_cast<double>(load.kind));
+      reached("load that follows", load.follows);
+      reached("load that changes", load.factor != "1");
+    }
+    reached("masses", static_cast<double>(model.masses.size()));
+    reached("damping by mass", model.damping.mass > 0);
+    reached("damping of the material", model.damping.material > 0);
+    reached("motion of the first end", model.supports.first_motion.has_value());
+    reached("motion of the last end", model.supports.last_motion.has_value());
+    reached("rotation of the first end", model.supports.first_rotation.has_value());
     reached("rates", model.start.slope_rates == SlopeRates::rigid);
     for (long k = 0; k < runs_of_a_model; ++k) {
       std::vector<std::string> all = overrides;
@@ -77,6 +94,16 @@ TEST(SweepCases, AreValidAndReachEveryMethodPairOfSupportsAndEnd) {
                                                             {"strain", 0, 1},
                                                             {"quadrature", 0, 1},
                                                             {"rates", 0, 1},
+                                                            {"loads", 0, 2},
+                                                            {"kind of load", 0, 2},
+                                                            {"load that follows", 0, 1},
+                                                            {"load that changes", 0, 1},
+                                                            {"masses", 0, 1},
+                                                            {"damping by mass", 0, 1},
+                                                            {"damping of the material", 0, 1},
+                                                            {"motion of the first end", 0, 1},
+                                                            {"motion of the last end", 0, 1},
+                                                            {"rotation of the first end", 0, 1},
                                                             {"step", 1e-4, 0.9},
                                                             {"rtol", 1e-10, 0.1}}) {
     EXPECT_LE(reach[what][0], low) << what;
