@@ -31,7 +31,7 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[n]) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-constexpr std::string_view run_names[] = {"run.h5", "probes.csv"};
+constexpr std::string_view run_names[] = {"run.h5", "probes.csv", "modes.csv"};
 constexpr std::string_view page_names[] = {"index.html", "results.json"};
 constexpr std::string_view animation_names[] = {"animation.png", "player.png"};
 constexpr std::string_view other_names[] = {"study.h5", "study.json", "choice.json", "assessment.json",

@@ -348,6 +348,7 @@ struct ReferenceUse {
   double tolerance = 0;   ///< in the unit of the series, > 0
   std::string reason;     ///< why this tolerance; may be empty
   CoverageSpec coverage;  ///< over how much of the reference
+  double whole_load = 1;  ///< all loads of the case together, in the unit of a reference over a load, > 0
 
   friend bool operator==(const ReferenceUse&, const ReferenceUse&) = default;
 };
@@ -356,7 +357,7 @@ struct ReferenceUse {
 struct FigureSpec {
   std::string name;     ///< unique, the PNG's file name
   std::string title;    ///< default: the name
-  std::string x = "t";  ///< "t" or a column
+  std::string x = "t";  ///< "t" or a column; of modes "mode", and else as of a probe
   std::string y;        ///< a column
   std::string x_label;  ///< default: the column's name
   std::string y_label;

@@ -1,6 +1,7 @@
 #include "engine/case/probe_columns.h"
 
 #include <algorithm>
+#include <array>
 
 namespace plumb {
 
@@ -20,17 +21,28 @@ const ProbeSpec* probe_of(const std::string& column, const std::vector<ProbeSpec
   return nullptr;
 }
 
-ProbeColumns::ProbeColumns(const std::vector<ProbeSpec>& probes) {
+std::span<const ModeColumn> mode_columns() {
+  static constexpr std::array<ModeColumn, 4> all{
+      {{"frequency", "Hz"}, {"angular_frequency", "rad/s"}, {"damping_ratio", "1"}, {"decay", "1/s"}}};
+  return all;
+}
+
+ProbeColumns::ProbeColumns(const std::vector<ProbeSpec>& probes, bool of_modes) {
+  if (of_modes)
+    for (const ModeColumn& column : mode_columns()) {
+      names_.emplace_back(column.name);
+      units_.emplace(column.name, column.unit);
+    }
   for (const ProbeSpec& probe : probes)
     for (std::string& column : column_names(probe)) {
-      probes_.emplace(column, &probe);
+      units_.emplace(column, plumb::unit(probe.quantity));
       names_.push_back(std::move(column));
     }
 }
 
-const ProbeSpec* ProbeColumns::probe(const std::string& column) const {
-  const auto found = probes_.find(column);
-  return found == probes_.end() ? nullptr : found->second;
+std::optional<std::string_view> ProbeColumns::unit(const std::string& column) const {
+  const auto found = units_.find(column);
+  return found == units_.end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace plumb

@@ -7,6 +7,18 @@
 
 namespace plumb {
 
+std::string_view word(Abscissa abscissa) {
+  switch (abscissa) {
+    case Abscissa::time:
+      return "t";
+    case Abscissa::mode:
+      return "mode";
+    case Abscissa::load:
+      return "load";
+  }
+  return "t";
+}
+
 const ReferenceSeries* Reference::find(std::string_view name) const {
   const auto found = std::find_if(series.begin(), series.end(),
                                   [&](const ReferenceSeries& item) { return item.name == name; });

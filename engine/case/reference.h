@@ -15,6 +15,16 @@ enum class ReferenceKind {
   computed,   ///< a closed form or a converged solution; must never be called published
 };
 
+/// Over what the series of a reference stand.
+enum class Abscissa {
+  time,  ///< s
+  mode,  ///< numbers of modes, from 1
+  /// of statics, in a unit in which the case says how much its whole load is (ReferenceUse::whole_load)
+  load,
+};
+/// "t", "mode", "load": the name of the first column.
+std::string_view word(Abscissa);
+
 struct ReferenceSeries {
   std::string name;         ///< "mid_y"
   std::string description;  ///< "vertical position of the middle"
@@ -42,7 +52,10 @@ struct Reference {
   std::string obtained;  ///< how the numbers came from the source
   std::vector<std::string> notes;
   ReferenceCable cable;
-  std::vector<double> times;  ///< s, strictly increasing, ≥ 0
+  Abscissa abscissa = Abscissa::time;
+  /// s, strictly increasing, ≥ 0. Of modes their numbers; in the references of a case loads are the times at
+  /// which the run has them.
+  std::vector<double> times;
   std::vector<ReferenceSeries> series;
 
   /// The series of that name, or nullptr.

@@ -70,8 +70,8 @@ class Adviser {
 
   std::string on(Outcome outcome) const {
     if (outcome == Outcome::unstable_equilibrium)
-      return "follow = \"stable\", a small force across that says to which side the cable gives way, or a "
-             "smaller load";
+      return std::string(info_.timeless ? "" : "follow = \"stable\", ") +
+             "a small force across that says to which side the cable gives way, or a smaller load";
     if (!info_.dynamic && outcome >= Outcome::unstable && outcome != Outcome::out_of_time)
       return !run_.times.empty() && run_.equilibria.path.empty()
                  ? "supports or a bending stiffness that hold the unloaded cable, or fewer elements where "

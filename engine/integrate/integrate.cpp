@@ -126,6 +126,18 @@ State in_units(const State& start, const OwnUnits& units) {
   return result;
 }
 
+/// Vibrations that were found in these units, in m, s and kg again.
+void in_si(const OwnUnits& units, Vibrations& vibrations) {
+  const double root = std::sqrt(units.mass);
+  vibrations.spin /= units.time;
+  for (VibrationMode& mode : vibrations.modes) {
+    mode.frequency /= units.time;
+    mode.decay /= units.time;
+    scale_nodal(1 / root, 1 / (root * units.length), mode.shape);
+    scale_nodal(1 / root, 1 / (root * units.length), mode.quadrature);
+  }
+}
+
 /// Writes outputs down, in m, s and kg again and as seen from the ground.
 class Recorder {
  public:
@@ -213,8 +225,10 @@ class Recorder {
 };
 
 std::string describe(const StepResult& result, const MethodSpec& method, double t, long step) {
-  return fmt::format("{} ended at t = {:.6g} s in step {}{}: {}", method.name, t, step,
-                     result.element >= 0 ? fmt::format(", element {}", result.element + 1) : "",
+  const std::string element = result.element >= 0 ? fmt::format(", element {}", result.element + 1) : "";
+  const MethodInfo* info = find_method(method.name);
+  if (info != nullptr && info->timeless) return fmt::format("{}{}: {}", method.name, element, result.reason);
+  return fmt::format("{} ended at t = {:.6g} s in step {}{}: {}", method.name, t, step, element,
                      result.reason);
 }
 
@@ -238,7 +252,8 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   const Monitor monitor(own_cable, ground_start, end, dynamic);
   WorkDone done(own_cable, own_start, dynamic);
   Dynamics dynamics(own_cable, {monitor.own_time(), end});
-  const std::vector<double> output_seconds = output_times(time);
+  const bool timeless = info != nullptr && info->timeless;
+  const std::vector<double> output_seconds = timeless ? std::vector{start.t} : output_times(time);
   std::vector<double> outputs = output_seconds;
   for (double& t : outputs) t /= units.time;
   const double near = same_time * (time.output_interval / units.time);
@@ -319,6 +334,13 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   integrator->add_to(result);
   for (PathPoint& point : result.equilibria.path) point.displacement *= units.length;
   for (CriticalPoint& point : result.equilibria.critical_points) point.displacement *= units.length;
+  in_si(units, result.vibrations);
+  for (VibrationMode& mode : result.vibrations.modes) {
+    if (mode.quadrature.size() > 0)
+      cable.set_output_slopes(mode.shape, mode.quadrature);
+    else
+      cable.set_output_slopes(mode.shape, mode.shape);
+  }
   result.outcome = last.outcome;
   result.end_time = integrator->state().t * units.time;
   if (!last.ok()) {

@@ -29,9 +29,10 @@ enum class MethodFamily {
   multistep,          ///< uses earlier steps: Adams, backward differentiation
   constrained,        ///< carries the supports as constraints with multipliers
   quasi_static,       ///< no motion: equilibrium under a growing load
+  modal,              ///< no motion: small vibrations about an equilibrium
 };
 
-/// "explicit", "structural", "implicit stages", "multistep", "constrained", "static".
+/// "explicit", "structural", "implicit stages", "multistep", "constrained", "static", "modal".
 std::string_view word(MethodFamily);
 
 /// A parameter of which studies draw one curve a value; the others keep their defaults.
@@ -67,6 +68,9 @@ struct MethodInfo {
   MethodFamily family = MethodFamily::explicit_one_step;
   bool implicit = false;
   bool dynamic = true;  ///< integrates motion; one that does not has no place among those that do
+  /// Has one output, at 0, and needs no [time]; loads that change are those at its end.
+  bool timeless = false;
+  bool spins = false;  ///< of those that integrate no motion: takes the angular velocity of the start
   /// Which of [method] step and rtol/atol it takes. A method that takes both is given one: a step is kept, a
   /// tolerance makes the method choose its steps.
   bool takes_step = false;

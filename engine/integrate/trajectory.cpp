@@ -56,6 +56,45 @@ std::string_view in_words(CriticalKind kind) {
   return kind == CriticalKind::limit_point ? "limit point" : "bifurcation";
 }
 
+std::span<const ModeKind> mode_kinds() {
+  static constexpr std::array all{ModeKind::vibration, ModeKind::overdamped, ModeKind::rigid_body,
+                                  ModeKind::slack, ModeKind::growing};
+  return all;
+}
+
+std::string_view word(ModeKind kind) {
+  switch (kind) {
+    case ModeKind::vibration:
+      return "vibration";
+    case ModeKind::overdamped:
+      return "overdamped";
+    case ModeKind::rigid_body:
+      return "rigid-body";
+    case ModeKind::slack:
+      return "slack";
+    case ModeKind::growing:
+      return "growing";
+  }
+  return "vibration";
+}
+
+double greatest_displacement(const VibrationMode& mode) {
+  double greatest = 0;
+  for (Eigen::Index at = 0; at < mode.shape.size(); at += 6) {
+    const Eigen::Vector3d re = mode.shape.segment<3>(at);
+    if (mode.quadrature.size() == 0) {
+      greatest = std::max(greatest, re.norm());
+      continue;
+    }
+    // An ellipse: its longer half axis.
+    const Eigen::Vector3d im = mode.quadrature.segment<3>(at);
+    const double sum = re.squaredNorm() + im.squaredNorm();
+    const double half = std::hypot(0.5 * (re.squaredNorm() - im.squaredNorm()), re.dot(im));
+    greatest = std::max(greatest, std::sqrt(0.5 * sum + half));
+  }
+  return greatest;
+}
+
 namespace {
 
 /// The greater of two numbers; one that is not a number is greater than any.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/integrate/equilibria.h"
+#include "engine/integrate/vibrations.h"
 #include "engine/model/energies.h"
 
 namespace plumb {
@@ -75,6 +76,7 @@ struct Trajectory {
   double unstable_since = -1;
   int interpolated_outputs = 0;  ///< outputs between two steps, interpolated rather than stepped to
   Equilibria equilibria;         ///< of statics
+  Vibrations vibrations;         ///< of modes
 
   Counters counters;
   double solve_seconds = -1;  ///< the time loop alone

@@ -14,6 +14,7 @@ namespace plumb {
 Cable::Cable(const Case& spec)
     : elements_(spec.cable.elements),
       rigid_(spec.cable.model == CableModel::rigid),
+      spin_(spec.start.angular_velocity),
       loads_(loads_of(spec)),
       variable_loads_(spec),
       motion_(spec),
@@ -42,6 +43,7 @@ Cable::Cable(const Case& spec)
 
 Cable Cable::in_units(const OwnUnits& units) const {
   Cable result(*this);
+  result.spin_ *= units.time;
   ElementConstants& c = result.constants_;
   c.axial_stiffness /= units.force();
   c.bending_stiffness /= units.moment() * units.length;

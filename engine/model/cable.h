@@ -65,6 +65,10 @@ class Cable {
   /// The loads together, on its coordinates, N and N m.
   const Eigen::VectorXd& external_force() const { return external_force_; }
 
+  /// The angular velocity about the first end with which it starts, or with which the frame turns that it
+  /// rests in, rad/s.
+  const Vec3& spin() const { return spin_; }
+
   const VariableLoads& variable_loads() const { return variable_loads_; }
   const Damping& damping() const { return damping_; }
   const SupportMotion& motion() const { return motion_; }
@@ -142,6 +146,7 @@ class Cable {
 
   int elements_;
   bool rigid_;
+  Vec3 spin_;
   LoadSum loads_;
   VariableLoads variable_loads_;
   SupportMotion motion_;

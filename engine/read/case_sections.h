@@ -31,6 +31,10 @@ void check_factors(const std::vector<TableReader>& applied, const Case& spec);
 std::vector<MassSpec> read_masses(std::vector<TableReader> tables);
 /// Refuses what a model and a method cannot take of `table`.
 DampingSpec read_damping(TableReader table, CableModel model);
+/// Refuses what a method that integrates no motion cannot take of it; what cannot turn with a frame of that
+/// spin: loads across its axis, drag, and what a method that takes no spin cannot have of the start.
+void check_frame(const TableReader& start, const TableReader& supports, const TableReader& loads,
+                 const std::vector<TableReader>& applied, const TableReader& damping, const Case& spec);
 /// Refuses damping for a method that is made for forces without rates.
 void check_damping(const TableReader& table, const Case& spec);
 /// `end` (s) is where the time ends unless the table says so.
@@ -77,10 +81,11 @@ class ReferenceFiles {
 /// The most [[reference]] tables, and the most [[run]] tables, of a case.
 inline constexpr std::size_t most_files = 100;
 
-/// `case_name` is the case file's own: errors within a reference name it relative to the same folder.
+/// `case_name` is the case file's own: errors within a reference name it relative to the same folder. `own`:
+/// what a run of the case has, beside times loads where that is `load`.
 ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
                                ReferenceFiles& files, const std::vector<ProbeSpec>& probes,
-                               const TimeSpec& time);
+                               const TimeSpec& time, Abscissa own);
 
 /// What [[run]] says and the runs it names, in the same order.
 struct GivenRunsRead {
@@ -99,7 +104,7 @@ void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
                       const std::vector<GivenRun>& runs);
 
 std::vector<FigureSpec> read_figures(std::vector<TableReader> tables, const std::vector<ProbeSpec>& probes,
-                                     const std::vector<ReferenceUse>& references);
+                                     const std::vector<ReferenceUse>& references, bool of_modes);
 
 SceneSpec read_scene(TableReader table, const TimeSpec& time);
 /// A camera that is told where to stand.

@@ -5,6 +5,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/case/case_source.h"
+#include "engine/case/probe_columns.h"
 #include "engine/integrate/method_info.h"
 #include "engine/read/case_sections.h"
 #include "engine/read/changed_case.h"
@@ -162,10 +163,13 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   const TableReader damping = root.table("damping");
   std::vector<TableReader> runs = root.tables("run");
   const bool given_only = extent == Extent::everything && !runs.empty() && !root.has("method");
+  const MethodInfo* named = named_method(merged);
+  const bool timeless = named != nullptr && named->timeless;
   const TableReader method = given_only ? root.table("method")
                                         : root.required_table(
                                               "method", "a table [method], or a [[run]] that was computed"),
-                    time = given_only ? root.table("time") : root.required_table("time", "a table [time]");
+                    time = given_only || timeless ? root.table("time")
+                                                  : root.required_table("time", "a table [time]");
   const std::vector<TableReader> probes = root.tables("probe"), references = root.tables("reference");
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
@@ -190,7 +194,9 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     if (!(last > 0)) runs.front().refuse_value("file", fmt::format("ends at {} s; must end after 0 s", last));
     spec.time = read_time(time, last);
   } else {
-    spec.time = read_time(time);
+    // What is asked for once needs no times; of loads that change with it there is an end of a second.
+    constexpr double any_end = 1;
+    spec.time = read_time(time, timeless ? std::optional(any_end) : std::nullopt);
     spec.method = read_method(method, spec.time);
   }
   check_factors(applied, spec);
@@ -198,23 +204,32 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   check_damping(damping, spec);
   if (spec.cable.model == CableModel::rigid) check_rigid(spec, {start, method, probes});
   // The method of an external run is not known, nor yet the one that is left to the scene.
-  if (const MethodInfo* info = find_method(spec.method.name); info != nullptr && !info->dynamic) {
-    const std::string still = fmt::format("must be 0 for {}, which starts at rest", spec.method.name);
-    if (!spec.start.angular_velocity.isZero(0)) start.refuse_value("angular_velocity", still);
-    if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
-  }
+  const MethodInfo* info = find_method(spec.method.name);
+  if (info != nullptr && !info->dynamic) check_frame(start, supports, loads, applied, damping, spec);
   if (spec.start.imperfection != 0) check_imperfection(spec, start);
   if (extent == Extent::motion) return loaded;
-  ReferencesRead read = read_references(references, file.name, files, spec.probes, spec.time);
+  const Abscissa own = timeless                            ? Abscissa::mode
+                       : info != nullptr && !info->dynamic ? Abscissa::load
+                                                           : Abscissa::time;
+  if (timeless)
+    for (std::size_t k = 0; k < probes.size(); ++k)
+      for (const ModeColumn& column : mode_columns())
+        if (spec.probes[k].name == column.name)
+          probes[k].refuse_value("name", "is the name of what every mode has");
+  ReferencesRead read = read_references(references, file.name, files, spec.probes, spec.time, own);
   spec.references = std::move(read.uses);
-  spec.figures = read_figures(figures, spec.probes, spec.references);
+  spec.figures = read_figures(figures, spec.probes, spec.references, timeless);
   // A scene that the method is left to is used whatever is made of the run.
   const bool asks_scene = spec.method.name == scene_method;
   const auto section = [&](std::string_view name, auto part) {
     read_section(name, asks_scene ? use_all : uses, loaded.remarks, part);
   };
   section("scene", [&] { spec.scene = read_scene(scene, spec.time); });
+  const std::string no_motion =
+      fmt::format("is of motions over time, which {} has none of", spec.method.name);
   if (extent == Extent::everything) {
+    if (timeless && root.has("run"))
+      root.refuse_value("run", fmt::format("{}; leave the table out", no_motion));
     check_given_runs(runs, spec, given.runs);
     note_shortcomings(spec, given);
     if (given_only)
@@ -223,9 +238,13 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
           root.refuse_value(key, "belongs to runs of Plumb's own; a case without [method] has none");
     read_studies(study, file, written, overrides, files, uses, loaded);
     if (has_uncertainty)
-      section("uncertainty", [&] { spec.uncertainty = read_uncertainty(uncertainty, spec); });
+      section("uncertainty", [&] {
+        if (timeless) root.refuse_value("uncertainty", no_motion);
+        spec.uncertainty = read_uncertainty(uncertainty, spec);
+      });
     if (has_error_budget)
       section("error_budget", [&] {
+        if (timeless) root.refuse_value("error_budget", no_motion);
         spec.error_budget =
             read_error_budget(error_budget, spec.references, [&](const std::vector<std::string>& more) {
               return read_case(file, written, joined_overrides(overrides, more), files, Extent::motion).spec;

@@ -11,14 +11,13 @@ bool has(const std::vector<std::string>& keys, const std::string& key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// The method that a case names, or nullptr where there is none by that name.
+}  // namespace
+
 const MethodInfo* named_method(const TomlValue& root) {
   const TomlValue* method = root.find("method");
   const TomlValue* name = method != nullptr ? method->find("name") : nullptr;
   return name != nullptr ? find_method(name->string) : nullptr;
 }
-
-}  // namespace
 
 std::vector<std::string> method_keys(const MethodInfo& method) {
   std::vector<std::string> keys;

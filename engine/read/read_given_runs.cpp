@@ -21,12 +21,12 @@ namespace {
 constexpr const char* time_column = "t";
 
 std::string base_unit(const std::string& column, const ProbeColumns& columns) {
-  return column == time_column ? "s" : std::string(unit(columns.probe(column)->quantity));
+  return column == time_column ? "s" : std::string(columns.unit(column).value());
 }
 
 /// Refuses the item where its key is no column of the probes.
 void check_key(const TableReader& table, const TomlValue& item, const ProbeColumns& columns, bool or_time) {
-  if (columns.probe(item.key) != nullptr || (or_time && item.key == time_column)) return;
+  if (columns.unit(item.key) || (or_time && item.key == time_column)) return;
   std::vector<std::string> known = columns.names();
   if (or_time) known.emplace_back(time_column);
   refuse(item.key_place, table.full_key(item.key), item.written,

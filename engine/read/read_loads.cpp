@@ -86,6 +86,40 @@ DampingSpec read_damping(TableReader table, CableModel model) {
   return damping;
 }
 
+void check_frame(const TableReader& start, const TableReader& supports, const TableReader& loads,
+                 const std::vector<TableReader>& applied, const TableReader& damping, const Case& spec) {
+  constexpr double round_off = 1e-12;
+  const MethodInfo& info = *find_method(spec.method.name);
+  const Vec3& spin = spec.start.angular_velocity;
+  const std::string still = fmt::format("must be 0 for {}, which starts at rest", info.name);
+  if (!spin.isZero(0) && !info.spins) start.refuse_value("angular_velocity", still);
+  if (spec.start.axial_speed != 0) start.refuse_value("axial_speed", still);
+  if (info.timeless && spec.supports.move())
+    supports.refuse_value(
+        spec.supports.first_motion  ? "first_motion"
+        : spec.supports.last_motion ? "last_motion"
+                                    : "first_rotation",
+        fmt::format("is not taken by {}, which looks for vibrations about a place of rest", info.name));
+  if (spin.isZero(0)) return;
+  const auto turns = [&](const Vec3& load) {
+    return spin.cross(load).norm() > round_off * spin.norm() * load.norm();
+  };
+  const std::string along = fmt::format(
+      "must be along start.angular_velocity for {}: the cable rests in a frame that turns with it, in which "
+      "what "
+      "is across goes round",
+      info.name);
+  if (turns(spec.loads.gravity)) loads.refuse_value("gravity", along);
+  if (turns(spec.loads.end_force)) loads.refuse_value("end_force", along);
+  for (std::size_t k = 0; k < applied.size(); ++k)
+    if (!spec.loads.applied[k].follows && turns(spec.loads.applied[k].value))
+      applied[k].refuse_value("value", along + ", unless the load follows");
+  if (spec.damping.mass != 0)
+    damping.refuse_value(
+        "mass",
+        fmt::format("must be 0 for {} in a frame that turns, as it would slow the turning", info.name));
+}
+
 void check_damping(const TableReader& table, const Case& spec) {
   const MethodInfo* info = find_method(spec.method.name);
   if (info == nullptr || info->takes_damping || spec.damping == DampingSpec{}) return;

@@ -22,16 +22,18 @@ ReferenceSeries read_series(TableReader table, const std::vector<ReferenceSeries
   table.finish();
 
   if (!follows_name_rule(series.name)) table.refuse_value("name", fmt::format("must be {}", name_rule));
-  if (series.name == "t") table.refuse_value("name", "is the name of the time");
+  for (const Abscissa abscissa : {Abscissa::time, Abscissa::mode, Abscissa::load})
+    if (series.name == word(abscissa))
+      table.refuse_value("name", "is the name of what series stand over, the time, a mode or a load");
   const auto same = [&](const ReferenceSeries& other) { return other.name == series.name; };
   if (std::any_of(others.begin(), others.end(), same))
     table.refuse_value("name", "is the name of another series");
   return series;
 }
 
-/// The series of each column after the first, which is the time.
+/// The series of each column after the first, which is what they stand over.
 std::vector<ReferenceSeries*> read_columns(const TableReader& file, const std::vector<TomlValue>& columns,
-                                           std::vector<ReferenceSeries>& series) {
+                                           std::vector<ReferenceSeries>& series, Abscissa& abscissa) {
   std::vector<std::string> names;
   for (const ReferenceSeries& item : series) names.push_back(item.name);
   std::vector<ReferenceSeries*> order;
@@ -44,8 +46,14 @@ std::vector<ReferenceSeries*> read_columns(const TableReader& file, const std::v
     };
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) fail("is the name of another column");
     seen.push_back(name);
-    if (i == 0 && name != "t") fail("the first column must be \"t\", the time");
-    if (i == 0) continue;
+    if (i == 0) {
+      abscissa = name == word(Abscissa::mode)   ? Abscissa::mode
+                 : name == word(Abscissa::load) ? Abscissa::load
+                                                : Abscissa::time;
+      if (name != word(abscissa))
+        fail("the first column must be \"t\", the time, \"mode\", the number of a mode, or \"load\"");
+      continue;
+    }
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) fail("has no [[series]] of that name" + suggestion(name, names));
     order.push_back(&series[static_cast<std::size_t>(found - names.begin())]);
@@ -58,7 +66,11 @@ std::vector<ReferenceSeries*> read_columns(const TableReader& file, const std::v
 }
 
 void read_rows(const TableReader& file, const std::vector<TomlValue>& rows,
-               const std::vector<ReferenceSeries*>& order, std::vector<double>& times) {
+               const std::vector<ReferenceSeries*>& order, Abscissa abscissa, std::vector<double>& times) {
+  constexpr int most_modes = 1'000'000;
+  const Range range_of_first = abscissa == Abscissa::time   ? Range::at_least(0, "s")
+                               : abscissa == Abscissa::load ? Range::at_least(0, "")
+                                                            : Range::whole_between(1, most_modes);
   if (rows.empty()) file.refuse_value("rows", "must hold at least one row");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TomlValue& row = rows[i];
@@ -67,10 +79,12 @@ void read_rows(const TableReader& file, const std::vector<TomlValue>& rows,
     if (row.kind != TomlValue::Kind::array || row.items.size() != length) {
       refuse(row.place, key, row.written, fmt::format("must be a list of {} numbers, one a column", length));
     }
-    const double time = file.number_in(row.items[0], key + ".0", Range::at_least(0, "s"));
+    const double time = file.number_in(row.items[0], key + ".0", range_of_first);
     if (!times.empty() && time <= times.back()) {
       refuse(row.items[0].place, key + ".0", row.items[0].written,
-             fmt::format("must be greater than the time before it, {} (s)", times.back()));
+             fmt::format("must be greater than the {} before it, {}{}",
+                         abscissa == Abscissa::time ? "time" : word(abscissa), times.back(),
+                         abscissa == Abscissa::time ? " (s)" : ""));
     }
     times.push_back(time);
     for (std::size_t j = 1; j < length; ++j) {
@@ -107,7 +121,8 @@ Reference read_reference(const NamedText& text) {
   reference.source = file.prose("source", "the publication or program that the numbers are from");
   reference.obtained = file.prose("obtained", "how the numbers came from the source");
   reference.notes = file.proses("notes");
-  file.choice("time_unit", {"s"}, false);
+  const bool has_unit = file.has("time_unit");
+  if (has_unit) file.choice("time_unit", {"s"}, false);
   reference.cable = read_cable_of(file.table("cable"));
   const std::vector<TableReader> series = file.tables("series");
   if (!file.has("series")) file.list("series", "a list of tables [[series]], one a column");
@@ -117,7 +132,11 @@ Reference read_reference(const NamedText& text) {
 
   for (const TableReader& table : series) reference.series.push_back(read_series(table, reference.series));
   if (reference.series.empty()) file.refuse_value("series", "must hold at least one series");
-  read_rows(file, rows, read_columns(file, columns, reference.series), reference.times);
+  const std::vector<ReferenceSeries*> order =
+      read_columns(file, columns, reference.series, reference.abscissa);
+  if (reference.abscissa == Abscissa::time && !has_unit)
+    file.refuse_value("columns", "stand over the time, whose time_unit = \"s\" is missing");
+  read_rows(file, rows, order, reference.abscissa, reference.times);
   return reference;
 }
 

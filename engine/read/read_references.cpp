@@ -18,7 +18,7 @@ std::vector<Comparison> read_comparisons(TableReader table, const ProbeColumns& 
   std::unordered_map<std::string, std::string> series_of;
   for (const TomlValue& item : table.value().items) {
     const Comparison comparison{item.key, table.text_in(item, table.full_key(item.key))};
-    if (columns.probe(comparison.column) == nullptr)
+    if (!columns.unit(comparison.column))
       table.refuse_value(item.key,
                          "not a column of the probes" + suggestion(comparison.column, columns.names()));
     if (const auto [other, is_new] = series_of.emplace(comparison.column, comparison.series); !is_new)
@@ -39,13 +39,24 @@ void check_series(const TableReader& compare, const ReferenceUse& use, const Ref
       refuse(item.key_place, compare.full_key(item.key), item.written,
              fmt::format("{} has no series \"{}\"{}", use.file, item.key, suggestion(item.key, names)));
     }
-    const std::string_view probed = unit(columns.probe(comparison.column)->quantity);
+    const std::string_view probed = columns.unit(comparison.column).value();
     if (series->unit != probed) {
       compare.refuse_value(comparison.series,
                            fmt::format("the unit must be that of the series, {}; that of the column is {}",
                                        series->unit, probed));
     }
   }
+}
+
+/// Refuses a reference over what a run does not have: one of modes has neither time nor load, and one over a
+/// time has a load that grows with it where it is one of statics alone, whose own abscissa is `load`.
+void check_abscissa(const TableReader& table, Abscissa of_reference, Abscissa own) {
+  if (of_reference == own || (of_reference == Abscissa::time && own == Abscissa::load)) return;
+  constexpr const char* which = "its first column is \"{}\"; a run with this method has {}";
+  table.refuse_value("file", fmt::format(which, word(of_reference),
+                                         own == Abscissa::mode   ? "modes, \"mode\", alone"
+                                         : own == Abscissa::load ? "times, \"t\", and loads, \"load\""
+                                                                 : "times, \"t\", alone"));
 }
 
 std::string default_name(const std::string& file) {
@@ -79,9 +90,9 @@ const Reference& ReferenceFiles::reference(const std::string& file, const std::s
 
 ReferencesRead read_references(std::vector<TableReader> tables, const std::string& case_name,
                                ReferenceFiles& files, const std::vector<ProbeSpec>& probes,
-                               const TimeSpec& time) {
+                               const TimeSpec& time, Abscissa own) {
   ReferencesRead read;
-  const ProbeColumns columns(probes);
+  const ProbeColumns columns(probes, own == Abscissa::mode);
   if (tables.size() > most_files)
     tables[most_files].refuse_value(
         "file",
@@ -97,6 +108,8 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     use.tolerance = table.number("tolerance", Range::positive("the unit of the series"));
     use.reason = table.optional_prose("reason");
     const TableReader coverage = table.table("coverage");
+    const bool has_whole_load = table.has("whole_load");
+    use.whole_load = table.number("whole_load", Range::positive("the unit of the reference's load"), 1);
     table.finish();
 
     check_name(table, use.name, name_given, read.uses);
@@ -107,7 +120,12 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     if (!file.failure.empty()) table.refuse_value("file", "cannot be read: " + file.failure);
     const std::string shown_name = (std::filesystem::path(case_name).parent_path() / use.file).string();
     Reference reference = files.reference(use.file, shown_name);
+    check_abscissa(table, reference.abscissa, own);
+    if (has_whole_load && reference.abscissa != Abscissa::load)
+      table.refuse_value("whole_load", "is asked for where the first column of the reference is \"load\"");
     check_series(compare, use, reference, columns);
+    if (reference.abscissa == Abscissa::load)
+      for (double& at : reference.times) at *= time.end / use.whole_load;
 
     use.coverage = read_coverage(coverage, reference.times, use.file);
 
@@ -115,7 +133,7 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     const auto beyond = std::count_if(reference.times.begin(), reference.times.end(), [&](double t) {
       return t > time.end * (1 + rounding) && use.coverage.has(t);
     });
-    if (beyond > 0)
+    if (beyond > 0 && own != Abscissa::mode)
       read.remarks.push_back(fmt::format(
           "{} of the {} times of {} are beyond the end of the run, {} s: a criterion is not run unless its "
           "coverage says that it claims less",

@@ -2,9 +2,15 @@
 
 #include <utility>
 
+#include "engine/integrate/method_info.h"
 #include "engine/read/given_probes.h"
 
 namespace plumb {
+
+bool has_modes(const Run& run) {
+  const MethodInfo* info = find_method(run.loaded.spec.method.name);
+  return info != nullptr && info->timeless;
+}
 
 Run reported_run(LoadedCase loaded, Provenance provenance) {
   const GivenRun& given = loaded.given_runs.at(0);

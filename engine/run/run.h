@@ -13,7 +13,11 @@ struct Run {
   Trajectory trajectory;
   ProbeTable probes;
   Provenance provenance;
+  ProbeTable modes = {};  ///< mode_table of the trajectory
 };
+
+/// Whether a run is one of modes, which stand in the place of times.
+bool has_modes(const Run& run);
 
 /// The first external run of a case without [method] as the run that is reported: ended as its file says, or
 /// completed where that says nothing, with neither states nor energies nor counters.

@@ -15,6 +15,7 @@
 #include "engine/model/support_constraints.h"
 #include "engine/read/given_probes.h"
 #include "engine/read/stored_source.h"
+#include "engine/run/mode_table.h"
 #include "engine/run/stored_parts.h"
 
 namespace plumb {
@@ -99,6 +100,94 @@ void read_equilibria(const hdf5::Reader& file, Trajectory& result) {
   }
 }
 
+constexpr const char* kinds_path = "modes/kind";
+
+/// A number of each mode.
+struct ModeNumber {
+  const char* path;
+  const char* unit;
+  double VibrationMode::*number;
+};
+const ModeNumber mode_numbers[] = {{"modes/frequency", "1/s", &VibrationMode::frequency},
+                                   {"modes/damping_ratio", "1", &VibrationMode::damping_ratio},
+                                   {"modes/decay", "1/s", &VibrationMode::decay},
+                                   {"modes/residual", "1", &VibrationMode::residual}};
+
+/// Shapes, (modes, nodes, 6), and where there is one with a phase of its own their imaginary parts.
+struct ModeShapes {
+  const char* path;
+  Eigen::VectorXd VibrationMode::*shape;
+};
+const ModeShapes mode_shapes[] = {{"modes/shape", &VibrationMode::shape},
+                                  {"modes/quadrature", &VibrationMode::quadrature}};
+
+/// What only a method that looks for modes has.
+void write_vibrations(const Vibrations& vibrations, hdf5::Writer& file) {
+  if (vibrations.modes.empty()) return;
+  const std::vector<VibrationMode>& modes = vibrations.modes;
+  std::vector<long> kinds;
+  for (const VibrationMode& mode : modes) kinds.push_back(static_cast<long>(mode.kind));
+  file.integers(kinds_path, kinds);
+  std::vector<double> values;
+  for (const auto& [path, unit, number] : mode_numbers) {
+    values.clear();
+    for (const VibrationMode& mode : modes) values.push_back(mode.*number);
+    file.numbers(path, {modes.size()}, values.data(), unit);
+  }
+  const auto size = static_cast<hsize_t>(modes.front().shape.size());
+  for (const auto& [path, shape] : mode_shapes) {
+    values.clear();
+    bool any = false;
+    for (const VibrationMode& mode : modes) {
+      any = any || (mode.*shape).size() > 0;
+      values.insert(values.end(), (mode.*shape).begin(), (mode.*shape).end());
+      values.resize(values.size() + size - static_cast<hsize_t>((mode.*shape).size()), 0);
+    }
+    if (any) file.numbers(path, {modes.size(), size / 6, 6}, values.data(), "1/sqrt(kg), slopes per m");
+  }
+  file.number("modes/spin", vibrations.spin, "rad/s");
+  file.numbers("modes/axis", {3}, vibrations.axis.data(), "1");
+  file.number("modes/orthonormality", vibrations.orthonormality, "1");
+}
+
+void read_vibrations(const hdf5::Reader& file, Trajectory& result) {
+  if (!file.has(kinds_path)) return;
+  Vibrations& found = result.vibrations;
+  const auto refuse = [](const char* what) { throw std::runtime_error(std::string("its modes ") + what); };
+  for (const long kind : file.integers(kinds_path)) {
+    if (kind < 0 || kind >= static_cast<long>(mode_kinds().size())) refuse("are of no known kind");
+    found.modes.emplace_back().kind = static_cast<ModeKind>(kind);
+    found.rigid_body += found.modes.back().kind == ModeKind::rigid_body ? 1 : 0;
+  }
+  const auto all_finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  };
+  for (const auto& [path, unit, number] : mode_numbers) {
+    const std::vector<double> values = file.numbers(path, {found.modes.size()});
+    if (!all_finite(values)) refuse("are not finite");
+    for (std::size_t k = 0; k < values.size(); ++k) found.modes[k].*number = values[k];
+  }
+  const auto nodes = static_cast<hsize_t>(result.elements) + 1;
+  for (const auto& [path, shape] : mode_shapes) {
+    if (!file.has(path)) continue;
+    const std::vector<double> values = file.numbers(path, {found.modes.size(), nodes, 6});
+    if (!all_finite(values)) refuse("have shapes that are not finite");
+    const auto size = static_cast<Eigen::Index>(6 * nodes);
+    for (std::size_t k = 0; k < found.modes.size(); ++k) {
+      const Eigen::Map<const Eigen::VectorXd> numbers(values.data() + static_cast<Eigen::Index>(k) * size,
+                                                      size);
+      if (shape == &VibrationMode::shape || !numbers.isZero(0)) found.modes[k].*shape = numbers;
+    }
+  }
+  if (!found.modes.empty() && found.modes.front().shape.size() == 0) refuse("have no shapes");
+  found.spin = file.number("modes/spin");
+  const std::vector<double> axis = file.numbers("modes/axis", {3});
+  found.axis = Eigen::Map<const Eigen::Vector3d>(axis.data());
+  found.orthonormality = file.number("modes/orthonormality");
+  if (!std::isfinite(found.spin + found.axis.sum() + found.orthonormality))
+    refuse("turn with what is no number");
+}
+
 void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   const hsize_t outputs = trajectory.times.size();
   const auto nodes = static_cast<hsize_t>(trajectory.elements + 1);
@@ -128,6 +217,7 @@ void write_trajectory(const Trajectory& trajectory, hdf5::Writer& file) {
   for (const auto& [name, part] : stored_counters())
     file.integer(fmt::format("counters/{}", name), trajectory.counters.*part);
   write_equilibria(trajectory.equilibria, file);
+  write_vibrations(trajectory.vibrations, file);
   if (trajectory.multipliers.empty()) return;
   values.clear();
   for (const Eigen::VectorXd& lambda : trajectory.multipliers)
@@ -211,6 +301,7 @@ Trajectory read_trajectory(const hdf5::Reader& file) {
   for (const auto& [name, part] : stored_counters())
     result.counters.*part = file.integer(fmt::format("counters/{}", name));
   read_equilibria(file, result);
+  read_vibrations(file, result);
   read_constraints(file, result);
   check(result);
   return result;
@@ -259,6 +350,7 @@ Run read_run(const std::string& path, const SectionUse& uses) {
         run.trajectory.multipliers.front().size() != constraints.count())
       throw std::runtime_error("its multipliers are not those of its supports");
     run.probes = probe(run.loaded.spec, run.trajectory);
+    run.modes = mode_table(run.loaded.spec, run.trajectory);
     return run;
   } catch (const Interrupted&) {
     throw;

@@ -86,6 +86,25 @@ SampledRun sample(const GivenRun& given, const std::vector<double>& times) {
                 times);
 }
 
+SampledRun sample_modes(const ProbeTable& modes, const std::vector<double>& numbers) {
+  SampledRun sampled;
+  sampled.values.columns = modes.columns;
+  for (Column& column : sampled.values.columns) column.values.clear();
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    const auto at = std::find(modes.times.begin(), modes.times.end(), numbers[row]);
+    if (at == modes.times.end()) continue;
+    const auto k = static_cast<std::size_t>(at - modes.times.begin());
+    sampled.rows.push_back(row);
+    sampled.times.push_back({numbers[row], true, k, 0});
+    for (std::size_t c = 0; c < modes.columns.size(); ++c)
+      sampled.values.columns[c].values.push_back(modes.columns[c].values[k]);
+    sampled.values.times.push_back(numbers[row]);
+  }
+  sampled.errors = sampled.values;
+  for (Column& column : sampled.errors.columns) std::ranges::fill(column.values, 0.0);
+  return sampled;
+}
+
 bool bearable(double interpolation_error, double tolerance) {
   return std::isfinite(interpolation_error) && interpolation_error <= bearable_share * tolerance;
 }

@@ -26,6 +26,9 @@ struct SampledRun {
 SampledRun sample(const Case& spec, const Trajectory& trajectory, const std::vector<double>& times);
 SampledRun sample(const GivenRun& given, const std::vector<double>& times);
 
+/// Takes modes by their numbers from a mode_table; between two there is nothing.
+SampledRun sample_modes(const ProbeTable& modes, const std::vector<double>& numbers);
+
 /// The greatest share of a tolerance that an interpolation error may have in what is held against it.
 inline constexpr double bearable_share = 0.1;
 

@@ -138,7 +138,9 @@ class SceneRenderer::Drawing {
   void draw(double time, Image& picture) {
     context_.make_current();
     if (path_->moves()) look(time);
-    texts_.time = fmt::format("t = {:.{}f} s", time, decimals(1 / spec().frame_rate));
+    texts_.time = input_.in_place_of_time.empty()
+                      ? fmt::format("t = {:.{}f} s", time, decimals(1 / spec().frame_rate))
+                      : input_.in_place_of_time;
     Layers layers = prepare(time);
     ground_.cast_shadow(layers.shadows);
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);

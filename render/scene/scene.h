@@ -49,6 +49,7 @@ struct SceneInput {
   std::string label = {};                   ///< of the run, where there are others beside it
   std::vector<SceneRun> others = {};        ///< over it, or by their offsets beside it
   std::vector<ScenePoints> points = {};
+  std::string in_place_of_time = {};  ///< written where else the time is; empty: the time is
 };
 
 /// From a case, with the radius of the circle that has the cable's area.

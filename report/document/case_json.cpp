@@ -56,6 +56,25 @@ Json solve_json(const Run& run) {
   return json;
 }
 
+Json modes_json(const Run& run) {
+  const Vibrations& found = run.trajectory.vibrations;
+  Json json{{"count", found.modes.size()},
+            {"rigid_body", found.rigid_body},
+            {"spin", found.spin},
+            {"axis", {found.axis.x(), found.axis.y(), found.axis.z()}},
+            {"orthonormality", found.orthonormality}};
+  Json& kinds = json["kind"] = Json::array();
+  Json& residuals = json["residual"] = Json::array();
+  for (const VibrationMode& mode : found.modes) {
+    kinds.push_back(word(mode.kind));
+    residuals.push_back(mode.residual);
+  }
+  Json& columns = json["columns"] = Json::object();
+  for (const Column& column : run.modes.columns)
+    columns[column.name] = {{"unit", column.unit}, {"values", column.values}};
+  return json;
+}
+
 Json coverage_json(const Coverage& coverage) {
   return {{"demanded", coverage.demanded},
           {"compared", coverage.compared},

@@ -31,6 +31,7 @@ FamilyColors colors_of(MethodFamily family) {
       return {shades(0xB04A85, 0x6B2450, 0xD687B2), shades(0xE59AC4, 0xF6D3E6, 0xC466A0)};
     case MethodFamily::constrained:
     case MethodFamily::quasi_static:  // never among the curves of a study
+    case MethodFamily::modal:
       break;
   }
   return {shades(0x222222, 0x666666, 0x8C8C8C), shades(0xF0F0F0, 0xBDBDBD, 0x8F8F8F)};

@@ -24,15 +24,28 @@ struct Data {
   std::string unit;
 };
 
+/// The rows that figures are of: outputs, or modes in their place.
+const ProbeTable& table_of(const Run& run) {
+  return has_modes(run) ? run.modes : run.probes;
+}
+
+/// The name of what rows stand over.
+std::string abscissa_of(const Run& run) {
+  return std::string(word(has_modes(run) ? Abscissa::mode : Abscissa::time));
+}
+
 Data data_of(const Run& run, const std::string& column) {
-  if (column == "t") return {run.probes.times, "s"};
-  const Column& found = *run.probes.find(column);
-  return {found.values, found.unit};
+  if (column == abscissa_of(run)) return {table_of(run).times, has_modes(run) ? "" : "s"};
+  // A run that failed may have no modes.
+  static const Column none{"", "1", {}};
+  const Column* found = table_of(run).find(column);
+  if (found == nullptr) found = &none;
+  return {found->values, found->unit};
 }
 
 std::string label(const std::string& given, const std::string& column, const std::string& unit) {
   const std::string name = !given.empty() ? given : column == "t" ? "time" : literal(column);
-  return fmt::format("{} [{}]", name, unit_markup(unit));
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit_markup(unit));
 }
 
 Series line(const std::string& name, std::vector<double> x, std::vector<double> y) {
@@ -110,7 +123,7 @@ std::vector<std::size_t> shown_rows(const Run& run, const SeriesError& error) {
   const std::vector<double>& times = run.loaded.references[error.reference].times;
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < times.size(); ++row)
-    if (known_time(run.probes.times, times[row])) rows.push_back(row);
+    if (known_time(table_of(run).times, times[row])) rows.push_back(row);
   return rows;
 }
 
@@ -148,12 +161,20 @@ void add_uncertainties(const Run& run, const std::vector<const SeriesError*>& er
   }
 }
 
+/// Points in the place of lines, as between two modes there is nothing.
+void mark_alone(Panel& panel) {
+  for (Series& series : panel.series) {
+    series.line_width = 0;
+    series.marker = Marker::diamond;
+  }
+}
+
 Panel difference_panel(const Run& run, const std::vector<const SeriesError*>& errors) {
   const Case& spec = run.loaded.spec;
   const bool alone = spec.given_runs.empty() || (reports_given_run(spec) && spec.given_runs.size() == 1);
   Panel panel;
   panel.height_share = difference_share;
-  panel.x.label = "time [s]";
+  panel.x.label = has_modes(run) ? "mode" : "time [s]";
   panel.y.label = fmt::format("{} − ref. [{}]", alone ? literal(reported_name(spec)) : "run",
                               unit_markup(errors.front()->unit));
   panel.y.zero_line = true;
@@ -162,6 +183,7 @@ Panel difference_panel(const Run& run, const std::vector<const SeriesError*>& er
                                         : alone           ? ""
                                                           : reported_name(spec)),
                                 error->times, error->difference));
+  if (has_modes(run)) mark_alone(panel);
   add_uncertainties(run, errors, panel);
   return panel;
 }
@@ -175,25 +197,28 @@ std::string alt_text(const Case& the_case, const FigureSpec& spec,
       text += ", " + the_case.given_runs[k].name;
   }
   for (const SeriesError* error : compared)
-    text += fmt::format("{} {}: greatest difference {:.3g} {} at {:.4g} s",
+    text += fmt::format("{} {}: greatest difference {:.3g} {} at {}{:.4g}{}",
                         error == compared.front() ? " with the reference's points under it." : ";",
-                        error->column, error->max, error->unit, error->max_time);
+                        error->column, error->max, error->unit, error->coverage.of_modes ? "mode " : "",
+                        error->max_time, error->coverage.of_modes ? "" : " s");
   return text + ".";
 }
 
 Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<SeriesError>& errors) {
+  const bool of_modes = has_modes(run), over_rows = spec.x == abscissa_of(run);
   const Data x = data_of(run, spec.x), y = data_of(run, spec.y);
   Panel panel;
   panel.x.label = label(spec.x_label, spec.x, x.unit);
   panel.y.label = label(spec.y_label, spec.y, y.unit);
   panel.equal_axes = spec.equal_axes;
   panel.series.push_back(line(literal(reported_name(run.loaded.spec)), x.values, y.values));
+  if (of_modes) mark_alone(panel);
 
   std::vector<const SeriesError*> compared;
   const SeriesError* of_y = find_error(run, errors, spec, spec.y);
   const SeriesError* of_x = find_error(run, errors, spec, spec.x);
   std::vector<double> shown_times;
-  if (of_y && (of_x || spec.x == "t")) {
+  if (of_y && (of_x || over_rows)) {
     const Reference& reference = run.loaded.references[of_y->reference];
     const std::vector<std::size_t> rows = shown_rows(run, *of_y);
     shown_times = at_rows(reference.times, rows);
@@ -212,23 +237,25 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   add_given_runs(run, spec, panel);
 
   Figure figure;
-  figure.times.push_back({spec.x == "t", {}});
-  if (spec.x != "t") {
-    figure.times.back().of_points.push_back(run.probes.times);
+  if (!of_modes) figure.times.push_back({over_rows, {}});
+  if (!over_rows && !of_modes) {
+    figure.times.back().of_points.push_back(table_of(run).times);
     if (!shown_times.empty()) figure.times.back().of_points.push_back(shown_times);
   }
   figure.name = spec.name;
   figure.title = title_of(run, spec.title.empty() ? spec.name : spec.title);
   figure.alt = alt_text(run.loaded.spec, spec, compared);
   figure.plot.height = spec.equal_axes ? 1800 : 1200;
-  panel.shares_x_below = spec.x == "t" && !compared.empty();
-  if (spec.x == "t") mark_ending(run, panel);
+  panel.shares_x_below = over_rows && !compared.empty();
+  if (over_rows && !of_modes) mark_ending(run, panel);
   figure.plot.panels.push_back(std::move(panel));
   if (!compared.empty()) {
     figure.plot.panels.push_back(difference_panel(run, compared));
     add_given_differences(run, spec, errors, compared, figure.plot.panels.back());
-    figure.times.push_back({true, {}});
-    mark_ending(run, figure.plot.panels.back());
+    if (!of_modes) {
+      figure.times.push_back({true, {}});
+      mark_ending(run, figure.plot.panels.back());
+    }
   }
   return figure;
 }
@@ -245,7 +272,9 @@ std::vector<Figure> figures(const Run& run, const std::vector<SeriesError>& erro
     // A case that was read before there was this figure may have taken its name.
     const bool taken = std::any_of(result.begin(), result.end(),
                                    [&](const Figure& figure) { return figure.name == known.name; });
-    std::optional<Figure> figure = taken ? std::nullopt : known.draw(run);
+    // Of modes there is nothing over time.
+    const bool drawn = !taken && known.of_modes == has_modes(run);
+    std::optional<Figure> figure = drawn ? known.draw(run) : std::nullopt;
     if (!figure) continue;
     figure->name = known.name;
     result.push_back(std::move(*figure));

@@ -9,14 +9,19 @@ namespace plumb {
 #define PLUMB_RUN_FIGURES(figure) \
   figure(energy) figure(tension_range) figure(curvature_range) figure(strain_map) figure(load_path)
 
+#define PLUMB_MODE_FIGURES(figure) figure(mode_shapes)
+
 #define PLUMB_DECLARE(name) std::optional<Figure> name##_figure(const Run& run);
 PLUMB_RUN_FIGURES(PLUMB_DECLARE)
+PLUMB_MODE_FIGURES(PLUMB_DECLARE)
 #undef PLUMB_DECLARE
 
 std::span<const RunFigure> run_figures() {
 #define PLUMB_LIST(name) RunFigure{#name, name##_figure},
-  static constexpr RunFigure all[] = {PLUMB_RUN_FIGURES(PLUMB_LIST)};
+#define PLUMB_LIST_OF_MODES(name) RunFigure{#name, name##_figure, true},
+  static constexpr RunFigure all[] = {PLUMB_RUN_FIGURES(PLUMB_LIST) PLUMB_MODE_FIGURES(PLUMB_LIST_OF_MODES)};
 #undef PLUMB_LIST
+#undef PLUMB_LIST_OF_MODES
   return all;
 }
 

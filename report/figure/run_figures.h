@@ -13,6 +13,7 @@ struct RunFigure {
   std::string_view name;  ///< of the file, without its ending; no [[figure]] of a case may have it
   /// Of a run with states. Nothing where there is no finite value to show; the name is set by who asks.
   std::optional<Figure> (*draw)(const Run& run);
+  bool of_modes = false;  ///< of a run of modes, and of no other
 };
 
 /// All of them in order. A new one has a file of its own, and its line in run_figures.cpp.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ std::string fault_of_scene(const LoadedCase& loaded);
 /// runs over it.
 class SceneOfRun {
  public:
-  /// `run` must outlive it.
-  explicit SceneOfRun(const Run& run);
+  /// `run` must outlive it. Of a run of modes it shows one, by its number from 1; without, the first that is
+  /// no rigid-body motion. Throws UsageError where there is none of that number.
+  explicit SceneOfRun(const Run& run, std::optional<int> mode = {});
   SceneOfRun(const SceneOfRun&) = delete;
   SceneOfRun& operator=(const SceneOfRun&) = delete;
 
@@ -31,6 +33,8 @@ class SceneOfRun {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  /// Takes a mode, slowed or quickened to a period that can be watched, for the motion.
+  void vibrate(const Run& run, std::optional<int> mode);
   /// The motion of an external run, if there is enough to draw.
   const Trajectory* drawn(const Run& run, std::size_t given_run);
 

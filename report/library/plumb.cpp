@@ -2,6 +2,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/integrate/integrate.h"
+#include "engine/run/mode_table.h"
 #include "engine/run/run.h"
 #include "report/verdict/results.h"
 
@@ -33,6 +34,7 @@ CaseRun run_case(const CaseText& text) {
         "case: method.name = \"scene\": leaves the method to pictures, which are not drawn here");
   run.trajectory = integrate(run.loaded.spec);
   run.probes = probe(run.loaded.spec, run.trajectory);
+  run.modes = mode_table(run.loaded.spec, run.trajectory);
   const Results results = evaluate(run, {});
 
   CaseRun result;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/run/mode_table.h"
+
 namespace plumb {
 namespace {
 
@@ -69,12 +71,15 @@ std::string sentence_of(const Document& document, const std::string& clause) {
              all = std::ssize(verdicts);
   const std::string of_all = counted(all, "criterion", "criteria");
   if (!document.at("complete").get<bool>())
-    return fmt::format("The {} failed: it is {} and ended at {} s of {} s, so {}", run_of(document),
-                       solve.at("outcome").get<std::string>(), number(solve.at("end_time").get<double>()),
-                       number(document.at("case").at("time").at("end").get<double>()),
-                       all == 0   ? "it shows nothing of the case."
-                       : all == 1 ? "its one criterion could not be judged."
-                                  : fmt::format("none of its {} criteria could be judged.", all));
+    return fmt::format(
+        "The {} failed: it is {}{}, so {}", run_of(document), solve.at("outcome").get<std::string>(),
+        document.contains(modes_key)
+            ? ""
+            : fmt::format(" and ended at {} s of {} s", number(solve.at("end_time").get<double>()),
+                          number(document.at("case").at("time").at("end").get<double>())),
+        all == 0   ? "it shows nothing of the case."
+        : all == 1 ? "its one criterion could not be judged."
+                   : fmt::format("none of its {} criteria could be judged.", all));
   if (all == 0)
     return fmt::format("The {} completed and was held against nothing: how accurate it is cannot be told{}.",
                        run_of(document), clause);

@@ -42,6 +42,8 @@ std::string formulation_html(const Document& document) {
   formulation["green"] = cable.at("strain") == word(StrainModel::green_geometric);
   formulation["full"] = cable.at("quadrature") == word(QuadratureRule::full);
   formulation["dynamic"] = method.dynamic;
+  formulation["modal"] = method.timeless;
+  formulation["static"] = !method.dynamic && !method.timeless;
   formulation["method"] = method.name;
   formulation["method_summary"] = method.summary;
   formulation["method_order"] = method.order;
@@ -86,7 +88,10 @@ std::string to_page(const Document& document, const Pictures& pictures,
   const std::string outcome = solve.at("outcome").get<std::string>();
 
   data page;
+  const bool modal = !given && method_of(the_case).timeless;
   page["dynamic"] = dynamic;
+  page["modal"] = modal;
+  page["static"] = !dynamic && !modal;
   page["title"] = text("title");
   const Conclusion conclusion = conclusion_of(document, clause);
   page["good"] = conclusion.good;
@@ -96,11 +101,12 @@ std::string to_page(const Document& document, const Pictures& pictures,
   page["has_help"] = !conclusion.help.empty();
   page["solved"] = solved;
   page["ended_early"] =
-      solved ? std::string()
-             : fmt::format(
-                   "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
-                   "shown is how it failed, no result of the case.",
-                   solve.at("end_time").get<double>(), the_case.at("time").at("end").get<double>(), outcome);
+      solved  ? std::string()
+      : modal ? fmt::format("The run failed ({}): what is shown is how, and no result of the case.", outcome)
+              : fmt::format(
+                    "Only the {:.4g} s of {:.4g} s before the run ended ({}): what is "
+                    "shown is how it failed, no result of the case.",
+                    solve.at("end_time").get<double>(), the_case.at("time").at("end").get<double>(), outcome);
   page["has_verdicts"] = !verdicts.empty();
   page["verdicts"] = verdict_groups(verdicts, command_of(document));
   page["has_errors"] = !document.at("errors").empty();

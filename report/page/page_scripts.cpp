@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/run/mode_table.h"
 #include "report/base/base64.h"
 #include "report/base/escape.h"
 #include "report/page/page_template.h"
@@ -77,9 +78,13 @@ std::vector<PageScript> page_scripts(const std::vector<PageSection>& sections) {
 }
 
 std::string page_data(const Document& document, const std::vector<PageSection>& sections) {
-  const Document own{{"figures", figures_of(document)},
-                     {"frame_rate", document.at("animation").at("player_frame_rate")},
-                     {"end_time", document.at("solve").at("end_time")}};
+  const Document& animation = document.at("animation");
+  Document own{{"figures", figures_of(document)},
+               {"frame_rate", animation.at("player_frame_rate")},
+               {"end_time", document.at("solve").at("end_time")}};
+  // The period of a mode is that of the pictures.
+  if (const double rate = animation.at("frame_rate").get<double>(); document.contains(modes_key) && rate > 0)
+    own["end_time"] = (animation.at("frames").get<double>() - 1) / rate;
   std::string html = data_element("page-data", own.dump(-1, ' ', false, Document::error_handler_t::replace));
   for (const PageSection& section : sections)
     if (section.data) html += data_element(section.data_id, section.data(document.at(section.key)));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/read/model_keys.h"
+#include "engine/run/mode_table.h"
 #include "report/base/document_value.h"
 #include "report/page/page_template.h"
 
@@ -139,8 +140,9 @@ data cost_rows(const Document& document) {
     rows.emplace_back("remark", remark);
   rows.emplace_back("method", text_of(solve, "method"));
   rows.emplace_back("elements", count("elements"));
-  rows.emplace_back("time reached", four_digits(solve.at("end_time")) + " s");
-  rows.emplace_back("steps (rejected)", count("steps") + " (" + count("rejected_steps") + ")");
+  const bool modal = document.contains(modes_key);
+  if (!modal) rows.emplace_back("time reached", four_digits(solve.at("end_time")) + " s");
+  if (!modal) rows.emplace_back("steps (rejected)", count("steps") + " (" + count("rejected_steps") + ")");
   if (const std::string cuts =
           step_cuts(solve.at("rejected_steps").get<long>(), solve.at("shortest_cut").get<double>());
       !cuts.empty())
@@ -150,9 +152,11 @@ data cost_rows(const Document& document) {
   rows.emplace_back("factorizations of the block banded matrix", count("factorizations"));
   rows.emplace_back("Newton iterations", count("newton_iterations"));
   const Document& seconds = solve.at("solve_seconds");
-  rows.emplace_back("time loop", seconds.get<double>() < 0 ? "not run" : four_digits(seconds) + " s");
-  rows.emplace_back("outputs (interpolated)",
-                    fmt::format("{} ({})", count("outputs"), count("interpolated_outputs")));
+  rows.emplace_back(modal ? "time of solving" : "time loop",
+                    seconds.get<double>() < 0 ? "not run" : four_digits(seconds) + " s");
+  if (!modal)
+    rows.emplace_back("outputs (interpolated)",
+                      fmt::format("{} ({})", count("outputs"), count("interpolated_outputs")));
   if (solve.at("constraint_drift").get<double>() >= 0) {
     rows.emplace_back("greatest drift of the joint", four_digits(solve.at("constraint_drift")) + " m");
     rows.emplace_back("greatest reaction at the joint", four_digits(solve.at("greatest_reaction")) + " N");
@@ -209,7 +213,7 @@ data case_rows(const Document& document) {
   const Case any;
   visit_motion(any, add);
   add_loads_and_masses(the_case, rows);
-  add("time", any.time);
+  if (!document.contains(modes_key)) add("time", any.time);
   const auto product = [&](const char* meaning, const char* a, const char* b, const char* unit) {
     rows.emplace_back(meaning,
                       fmt::format("{:.12g} {}", cable.at(a).get<double>() * cable.at(b).get<double>(), unit));

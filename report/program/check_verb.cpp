@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/integrate/method_info.h"
 #include "report/document/case_json.h"
 #include "report/program/limits.h"
 #include "report/program/print_json.h"
@@ -22,8 +23,11 @@ ExitStatus do_check(const Options& options, Console& console) {
   const std::string what =
       reports_given ? "an external run"
                     : counted(spec.cable.elements, "element", "elements") + ", " + spec.method.name;
-  console.line(fmt::format("{} is valid: {}, {} to {:.4g} s, {}", loaded.source.file.name, spec.title, what,
-                           spec.time.end, counted(criteria, "criterion", "criteria")));
+  const MethodInfo* info = find_method(spec.method.name);
+  const std::string until =
+      info != nullptr && info->timeless ? "" : fmt::format(" to {:.4g} s", spec.time.end);
+  console.line(fmt::format("{} is valid: {}, {}{}, {}", loaded.source.file.name, spec.title, what, until,
+                           counted(criteria, "criterion", "criteria")));
   for (std::size_t k = 0; k < spec.given_runs.size(); ++k) {
     const GivenRun& given = loaded.given_runs[k];
     console.line(fmt::format("{}: {} of {}, {} from {:.4g} to {:.4g} s", spec.given_runs[k].name,

@@ -27,6 +27,7 @@ struct Options {
   std::string output;                  ///< of -o; empty: not given
   std::string csv;                     ///< of --csv; empty: not given
   std::string frames;                  ///< of --frames; empty: not given
+  std::optional<int> mode;             ///< of --mode
   std::string size;                    ///< of --size
   std::string camera;                  ///< of --camera
   std::string video;                   ///< of --video

@@ -111,6 +111,9 @@ void refuse_unknown_verb(int count, const char* const* arguments) {
 void add_drawing(CLI::App& command, Options& options) {
   command.add_option("--frames", options.frames, "frame numbers from 0: 10:20 (both drawn), 10: or 10")
       ->type_name("A:B");
+  command
+      .add_option("--mode", options.mode, "the mode in which the frames of a run of modes vibrate, from 1")
+      ->type_name("N");
   command.add_option("--size", options.size, "pixels, instead of scene.size: 3840x2160")->type_name("WxH");
   command.add_option("--camera", options.camera, "instead of scene.camera, as the case file has it: top")
       ->type_name("NAME");

@@ -49,7 +49,7 @@ ExitStatus do_render(const Options& options, Console& console) {
       {.writes_run = !to_standard_output, .draws = true, .frames = frames ? 1.0 * frames->count() : -1},
       options.input, to_standard_output ? "." : output_path_of_run(options), options, console);
   std::vector<OtherRun> others;
-  SceneOfRun scene(run);
+  SceneOfRun scene(run, options.mode);
   add_asked(scene, run, options, others, console);
   // Before any work.
   if (scene.motion() != nullptr)

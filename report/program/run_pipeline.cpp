@@ -9,6 +9,7 @@
 #include "engine/base/file_writing.h"
 #include "engine/integrate/integrate.h"
 #include "engine/read/given_probes.h"
+#include "engine/run/mode_table.h"
 #include "engine/run/run_file.h"
 #include "report/document/given_json.h"
 #include "report/figure/run_figures.h"
@@ -88,17 +89,27 @@ Run solve(const LoadedCase& loaded, Console& console) {
   Trajectory trajectory = integrate(loaded.spec, [&](double t) { console.progress("solving", t / end); });
   console.end_progress();
   ProbeTable probes = probe(loaded.spec, trajectory);
-  console.line(fmt::format("{}: {} with {} to {:.4g} s in {}, {:.3g} s", loaded.spec.title,
-                           loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
-                           trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
-                           trajectory.solve_seconds));
+  ProbeTable modes = mode_table(loaded.spec, trajectory);
+  if (find_method(loaded.spec.method.name)->timeless)
+    console.line(fmt::format("{}: {} of {}{}, {:.3g} s", loaded.spec.title,
+                             fmt::format("{} mode{}", modes.times.size(), modes.times.size() == 1 ? "" : "s"),
+                             counted(trajectory.elements, "element", "elements"),
+                             modes.times.empty() ? ""
+                                                 : fmt::format(", the last of {:.6g} Hz",
+                                                               trajectory.vibrations.modes.back().frequency),
+                             trajectory.solve_seconds));
+  else
+    console.line(fmt::format("{}: {} with {} to {:.4g} s in {}, {:.3g} s", loaded.spec.title,
+                             loaded.spec.method.name, counted(trajectory.elements, "element", "elements"),
+                             trajectory.end_time, counted(trajectory.counters.steps, "step", "steps"),
+                             trajectory.solve_seconds));
   if (const std::string cuts = step_cuts(trajectory.counters.rejected_steps, trajectory.shortest_cut);
       !cuts.empty())
     console.line("its step was " + cuts);
   if (const std::string remark = trajectory.remark(); !remark.empty()) console.line(remark);
   if (trajectory.outcome != Outcome::completed)
     console.line(console.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
-  return {loaded, std::move(trajectory), std::move(probes), provenance_now()};
+  return {loaded, std::move(trajectory), std::move(probes), provenance_now(), std::move(modes)};
 }
 
 std::string output_path(const Options& options, const LoadedCase& loaded) {
@@ -136,6 +147,7 @@ void note_renderer(Run& run, const std::string& fingerprint) {
 void write_run(const Run& run, OutputFolder& folder) {
   folder.write(run_file_name, encode_run(run));
   folder.write("probes.csv", to_csv(run.probes));
+  if (has_modes(run)) folder.write(std::string(modes_file), modes_csv(run.trajectory, run.modes));
 }
 
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,

@@ -1,5 +1,6 @@
 #include "report/program/run_sections.h"
 
+#include "report/page/modes_html.h"
 #include "report/program/assessment_pipeline.h"
 #include "report/program/scene_choice.h"
 #include "report/program/work_precision_pipeline.h"
@@ -15,6 +16,7 @@ namespace {
 std::vector<RunSection> sections_of(const Run& run, const std::optional<Study>& study,
                                     const std::optional<Economy>& economy, const Assessment& assessment) {
   std::vector<RunSection> sections = economy_sections(run, economy);
+  if (has_modes(run)) sections.insert(sections.begin(), modes_section(run));
   if (study) sections.insert(sections.begin(), work_precision_section(study->result));
   if (assessment.uncertainty)
     sections.push_back(uncertainty_section(*assessment.uncertainty, run.loaded.spec));
@@ -25,8 +27,8 @@ std::vector<RunSection> sections_of(const Run& run, const std::optional<Study>& 
 }  // namespace
 
 std::span<const PageSection> page_sections() {
-  static const std::vector<PageSection> all{uncertainty_on_page(), budget_on_page(), economy_on_page(),
-                                            work_precision_on_page()};
+  static const std::vector<PageSection> all{modes_on_page(), uncertainty_on_page(), budget_on_page(),
+                                            economy_on_page(), work_precision_on_page()};
   return all;
 }
 

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "engine/base/file_writing.h"
+#include "engine/run/mode_table.h"
 #include "report/document/case_json.h"
 #include "report/program/limits.h"
 #include "report/program/output_use.h"
@@ -43,14 +44,16 @@ ExitStatus do_solve(const Options& options, Console& console) {
     folder->commit();
     console.line("run: " + folder->path() + "/run.h5");
   }
+  const std::string table = has_modes(run) ? modes_csv(run.trajectory, run.modes) : to_csv(run.probes);
   if (options.csv == "-") {
-    write_to_standard_output(to_csv(run.probes));
+    write_to_standard_output(table);
   } else if (!options.csv.empty()) {
-    write_file(options.csv, to_csv(run.probes));
-    console.line("probes: " + options.csv);
+    write_file(options.csv, table);
+    console.line((has_modes(run) ? "modes: " : "probes: ") + options.csv);
   }
   if (options.json) {
     nlohmann::ordered_json json = solve_json(run);
+    if (has_modes(run)) json[std::string(modes_key)] = modes_json(run);
     if (choice)
       for (const RunSection& section : economy_sections(run, choice->economy))
         json[section.key] = section.json;

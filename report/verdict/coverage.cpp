@@ -14,6 +14,11 @@ constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
 
 /// Why a run says nothing at a claimed time; empty where it does. `row` is that of its sample, or nowhere.
 std::string obstacle(const ComparedRun& run, std::size_t row, double t, const Demand& demand) {
+  if (demand.of_modes)
+    return row != nowhere
+               ? ""
+               : fmt::format("{} does not have mode {:g}: it has {}", run.name, t,
+                             run.outputs.empty() ? "none" : fmt::format("those to {:g}", run.outputs.back()));
   if (run.outputs.empty()) return run.name + " has no outputs";
   if (row == nowhere)
     return fmt::format(
@@ -87,6 +92,7 @@ Covered cover(const Demand& demand, const std::vector<ComparedRun>& runs) {
   Coverage& coverage = covered.coverage;
   coverage.demanded = claimed.size();
   coverage.share = demand.claimed.share;
+  coverage.of_modes = demand.of_modes;
   coverage.allowance = allowance_of(demand.claimed);
   std::string first_obstacle;
   for (std::size_t k = 0; k < claimed.size(); ++k) {
@@ -131,8 +137,8 @@ Covered cover(const Demand& demand, const std::vector<ComparedRun>& runs) {
     coverage.lacking = fmt::format("{} has no time after t = 0{}", demand.of,
                                    coverage.allowance.empty() ? "" : " in what the case claims");
   else if (static_cast<double>(coverage.compared) < least)
-    coverage.lacking = fmt::format("only {} of {} times of {} can be compared{}", coverage.compared,
-                                   coverage.demanded, demand.of, why);
+    coverage.lacking = fmt::format("only {} of {} {}s of {} can be compared{}", coverage.compared,
+                                   coverage.demanded, demand.of_modes ? "mode" : "time", demand.of, why);
   else if (!after_start)
     coverage.lacking = fmt::format("no time of {} after t = 0 can be compared{}", demand.of, why);
   if (!coverage.lacking.empty() && coverage.share < 1)
@@ -141,6 +147,10 @@ Covered cover(const Demand& demand, const std::vector<ComparedRun>& runs) {
 }
 
 std::string in_words(const Coverage& coverage, const std::string& unit) {
+  if (coverage.of_modes)
+    return fmt::format("over {} of {} modes from {:g} to {:g}{}{}", coverage.compared, coverage.demanded,
+                       coverage.first, coverage.last, coverage.allowance.empty() ? "" : "; ",
+                       coverage.allowance);
   std::string text =
       fmt::format("over {} of {} times from {:.4g} to {:.4g} s, outputs at most {:.3g} s apart",
                   coverage.compared, coverage.demanded, coverage.first, coverage.last, coverage.longest_gap);

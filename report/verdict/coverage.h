@@ -17,6 +17,7 @@ struct Coverage {
   double last = 0;                 ///< s, likewise
   double longest_gap = 0;          ///< s, between two outputs of a run from `first` to `last`
   double interpolation_error = 0;  ///< the greatest at a compared time, in the unit of what is compared
+  bool of_modes = false;           ///< what are called times are numbers of modes
   double share = 1;                ///< of `demanded` that must be compared, in (0, 1]
   std::string allowance;           ///< how the case claims less than everything, in words; empty: it does not
   std::string lacking;             ///< why it is too little to judge by; empty: it is enough
@@ -35,10 +36,11 @@ struct ComparedRun {
 struct Demand {
   std::vector<double> times;  ///< s, all of them
   CoverageSpec claimed;
-  std::string of;        ///< whose times they are: "the reference"
-  std::string column;    ///< that is compared
-  std::string unit;      ///< of the column
-  double tolerance = 0;  ///< in `unit`; infinity: none, so that no interpolation error is too great
+  std::string of;         ///< whose times they are: "the reference"
+  std::string column;     ///< that is compared
+  std::string unit;       ///< of the column
+  double tolerance = 0;   ///< in `unit`; infinity: none, so that no interpolation error is too great
+  bool of_modes = false;  ///< what are called times are numbers of modes
 
   /// Those of `times` within what the case claims: what runs are to be sampled at.
   std::vector<double> claimed_times() const;

@@ -172,9 +172,10 @@ std::string headline(const Results& results) {
     }
     if (!worst) continue;
     distances += fmt::format(
-        "{} {:.3g} {} from the {} figures (at {} of {} times)", distances.empty() ? "" : " and", worst->max,
+        "{} {:.3g} {} from the {} figures (at {} of {} {}s)", distances.empty() ? "" : " and", worst->max,
         worst->unit, run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed",
-        worst->times.size(), run.loaded.references[r].times.size());
+        worst->times.size(), run.loaded.references[r].times.size(),
+        worst->coverage.of_modes ? "mode" : "time");
   }
   if (!distances.empty()) text += fmt::format(": {} is at most{}", run_in_words(run.loaded.spec), distances);
   text += "." + given_in_words(results);

@@ -29,7 +29,13 @@ void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vecto
   for (std::size_t r = 0; r < spec.references.size(); ++r) {
     const ReferenceUse& use = spec.references[r];
     const Reference& reference = run.loaded.references[r];
-    Demand demand{reference.times, use.coverage, "the reference", "", "", use.tolerance};
+    Demand demand{reference.times,
+                  use.coverage,
+                  "the reference",
+                  "",
+                  "",
+                  use.tolerance,
+                  reference.abscissa == Abscissa::mode};
     const std::vector<double> claimed = demand.claimed_times();
     const SampledRun sampled = sample_of(run, given_run, claimed);
     for (const Comparison& pair : use.compare) {
@@ -98,6 +104,8 @@ DifferenceNorms norms_of(const std::vector<double>& times, const std::vector<dou
 }
 
 std::string failure_of(const Run& run, std::optional<std::size_t> given_run) {
+  if (!given_run && run.trajectory.outcome != Outcome::completed && has_modes(run))
+    return fmt::format("the run ended as {}", word(run.trajectory.outcome));
   if (!given_run)
     return run.trajectory.outcome == Outcome::completed
                ? ""
@@ -114,12 +122,13 @@ std::string given_name(const SeriesError& error, const Case& spec) {
 
 SampledRun sample_of(const Run& run, std::optional<std::size_t> given_run, const std::vector<double>& times) {
   const GivenRun* given = given_of(run, given_run);
+  if (given == nullptr && has_modes(run)) return sample_modes(run.modes, times);
   return given != nullptr ? sample(*given, times) : sample(run.loaded.spec, run.trajectory, times);
 }
 
 const std::vector<double>& outputs_of(const Run& run, std::optional<std::size_t> given_run) {
   const GivenRun* given = given_of(run, given_run);
-  return given != nullptr ? given->times : run.trajectory.times;
+  return given != nullptr ? given->times : has_modes(run) ? run.modes.times : run.trajectory.times;
 }
 
 std::string run_name(const Run& run, std::optional<std::size_t> given_run) {

@@ -61,8 +61,10 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
     } else {
       verdict.value = use.norm == Norm::max ? error.max : error.rms;
       verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
-      verdict.detail =
-          fmt::format("the greatest at {:.4g} s; {}", error.max_time, in_words(error.coverage, error.unit));
+      verdict.detail = fmt::format("the greatest {}; {}",
+                                   error.coverage.of_modes ? fmt::format("of mode {:g}", error.max_time)
+                                                           : fmt::format("at {:.4g} s", error.max_time),
+                                   in_words(error.coverage, error.unit));
       hold_to_scale(verdict, error.scale, "the reference");
     }
     verdict.message = verdict.status == VerdictStatus::not_run

@@ -29,7 +29,8 @@ namespace plumb {
   method(cvode_adams)              \
   method(cvode_bdf)                \
   method(ida)                      \
-  method(statics)
+  method(statics)                  \
+  method(modes)
 // clang-format on
 
 #define PLUMB_DECLARE(name) MethodEntry name##_entry();
@@ -72,6 +73,8 @@ std::string_view word(MethodFamily family) {
       return "constrained";
     case MethodFamily::quasi_static:
       return "static";
+    case MethodFamily::modal:
+      return "modal";
   }
   return "";
 }

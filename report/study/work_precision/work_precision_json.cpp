@@ -7,9 +7,14 @@
 
 namespace plumb {
 
-inline std::array<MethodFamily, 6> enum_values(MethodFamily) {
-  return {MethodFamily::explicit_one_step, MethodFamily::structural,  MethodFamily::implicit_stages,
-          MethodFamily::multistep,         MethodFamily::constrained, MethodFamily::quasi_static};
+inline std::array<MethodFamily, 7> enum_values(MethodFamily) {
+  return {MethodFamily::explicit_one_step,
+          MethodFamily::structural,
+          MethodFamily::implicit_stages,
+          MethodFamily::multistep,
+          MethodFamily::constrained,
+          MethodFamily::quasi_static,
+          MethodFamily::modal};
 }
 
 template <class Archive>

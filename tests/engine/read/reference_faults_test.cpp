@@ -35,7 +35,9 @@ TEST(ReferenceFaults, AReferenceThatLacksSomethingIsRefusedWithItsPlaceAndWhatIs
        "from"},
       {"obtained = \"by hand\"\n", "",
        "small_reference.toml:1:1: obtained: missing; required: how the numbers came from the source"},
-      {"time_unit = \"s\"\n", "", "small_reference.toml:1:1: time_unit: missing; required: \"s\""},
+      {"time_unit = \"s\"\n", "",
+       "small_reference.toml:6:11: columns = [\"t\", \"mid_y\", \"force\"]: stand over the time, whose "
+       "time_unit = \"s\" is missing"},
       {"columns = [\"t\", \"mid_y\", \"force\"]\n", "",
        "small_reference.toml:1:1: columns: missing; required: the list of the columns' names, \"t\" first"},
       {"rows = [\n  [0.0, 0.0, 1],\n  [0.5, -0.1, 2.5],\n  [1.0, -0.2, 3.5],\n]\n", "",
@@ -111,7 +113,8 @@ TEST(ReferenceFaults, AReferenceWithABadTableIsRefusedWithItsPlaceAndWhatIsAllow
       {"[0.0, 0.0, 1]", "[-0.1, 0.0, 1]",
        "small_reference.toml:9:4: rows.0.0 = -0.1: must be a number of at least 0 (s)"},
       {"[\"t\", \"mid_y\", \"force\"]", "[\"time\", \"mid_y\", \"force\"]",
-       "small_reference.toml:7:12: columns.0 = \"time\": the first column must be \"t\", the time"},
+       "small_reference.toml:7:12: columns.0 = \"time\": the first column must be \"t\", the time, \"mode\", "
+       "the number of a mode, or \"load\""},
       {"[\"t\", \"mid_y\", \"force\"]", "[\"t\", \"mid_x\", \"force\"]",
        "small_reference.toml:7:17: columns.1 = \"mid_x\": has no [[series]] of that name; did you mean "
        "\"mid_y\"?"},
@@ -128,7 +131,8 @@ TEST(ReferenceFaults, AReferenceWithABadTableIsRefusedWithItsPlaceAndWhatIsAllow
       {"name = \"force\"", "name = \"mid_y\"",
        "small_reference.toml:21:8: series.1.name = \"mid_y\": is the name of another series"},
       {"name = \"force\"", "name = \"t\"",
-       "small_reference.toml:21:8: series.1.name = \"t\": is the name of the time"},
+       "small_reference.toml:21:8: series.1.name = \"t\": is the name of what series stand over, the time, a "
+       "mode or a load"},
       {"name = \"force\"", "name = \"the force\"",
        "small_reference.toml:21:8: series.1.name = \"the force\": must be letters, digits, - and _, at most "
        "100, not starting with -"},

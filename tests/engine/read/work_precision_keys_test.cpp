@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/integrate/method_info.h"
 #include "tests/engine/small_case.h"
 
@@ -24,8 +26,9 @@ TEST(WorkPrecisionKeys, AnEmptyTableGivesTheDefaultsThatACaseWithoutOneHas) {
   const WorkPrecisionSpec defaults = work_precision_of(without);
   EXPECT_EQ(read_with(""), defaults);
   EXPECT_EQ(defaults.end, 2);
-  EXPECT_EQ(defaults.full.methods.size(), method_infos().size() - 1)
-      << "all but statics, which has no motion";
+  for (const MethodInfo& info : method_infos())
+    EXPECT_EQ(std::ranges::count(defaults.full.methods, info.name), info.dynamic ? 1 : 0)
+        << info.name << ": all but those without motion";
   EXPECT_GT(defaults.largest_step, defaults.smallest_step);
   EXPECT_LT(defaults.quick.time_limit, defaults.full.time_limit);
 }

@@ -24,7 +24,7 @@ std::vector<std::string> names(const std::vector<Figure>& figures) {
 std::vector<Figure> field_figures(const plumb::Run& run) {
   std::vector<Figure> result;
   for (const RunFigure& known : run_figures()) {
-    std::optional<Figure> figure = known.name == "energy" ? std::nullopt : known.draw(run);
+    std::optional<Figure> figure = known.name == "energy" || known.of_modes ? std::nullopt : known.draw(run);
     if (!figure) continue;
     figure->name = known.name;
     result.push_back(std::move(*figure));
