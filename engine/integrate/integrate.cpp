@@ -143,11 +143,11 @@ class Recorder {
  public:
   /// `start`: relative to the supports, in own units; `load_grows_to`: when the load is whole that grows in
   /// proportion to time, s; 0: it does not grow.
-  Recorder(const Cable& cable, const Cable& own_cable, double load_grows_to, const State& start,
+  Recorder(const Cable& cable, const Cable& own_cable, bool dynamic, double load_grows_to, const State& start,
            const OwnUnits& units, Trajectory& trajectory)
       : cable_(cable),
         own_cable_(own_cable),
-        view_(own_cable, load_grows_to == 0),
+        view_(own_cable, dynamic),
         start_(start.q),
         units_(units),
         load_grows_to_(load_grows_to),
@@ -258,7 +258,8 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   for (double& t : outputs) t /= units.time;
   const double near = same_time * (time.output_interval / units.time);
   State between = own_start;
-  Recorder recorder(cable, own_cable, dynamic ? 0 : time.end, own_start, units, result);
+  const double load_grows_to = dynamic || timeless ? 0 : time.end;
+  Recorder recorder(cable, own_cable, dynamic, load_grows_to, own_start, units, result);
 
   const double processor_started = processor_seconds();
   const auto started = std::chrono::steady_clock::now();
