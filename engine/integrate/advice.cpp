@@ -77,7 +77,7 @@ class Adviser {
                  ? "supports or a bending stiffness that hold the unloaded cable, or fewer elements where "
                    "the "
                    "mesh is too fine"
-                 : "a smaller load, or more elements";
+                 : "a smaller load, or more elements, but not so many that round-off hides the path";
     if (attempt_ && outcome >= Outcome::unstable && outcome <= Outcome::singular) return tried(outcome);
     switch (outcome) {
       case Outcome::unstable:

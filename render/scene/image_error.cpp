@@ -47,14 +47,10 @@ ImageErrorGauge::ImageErrorGauge(const Trajectory& truth, const SceneInput& inpu
   const Motion& motion = camera_.motion();
   std::vector<double> times = camera_.frame_times();
   if (motion.end() - times.back() > 1e-9 * motion.end()) times.push_back(motion.end());
-  const auto tip = [&](double time) { return camera_.at(time).pixel(motion.tip(motion.state(time))); };
   samples_.push_back({times.front(), 0});
-  for (std::size_t k = 1; k < times.size(); ++k) {
-    // Not so where it moves by no number of pixels, as behind the camera.
-    if (!((tip(times[k]) - tip(times[k - 1])).norm() <= input.spec.tolerance))
-      samples_.push_back({(times[k - 1] + times[k]) / 2, k});
-    samples_.push_back({times[k], k});
-  }
+  for (std::size_t k = 1; k < times.size(); ++k)
+    for (int part = 1; part <= parts_of_a_frame; ++part)
+      samples_.push_back({times[k - 1] + (times[k] - times[k - 1]) * part / parts_of_a_frame, k});
 }
 
 std::vector<double> ImageErrorGauge::distances(const Trajectory& drawn) const {

@@ -11,11 +11,12 @@ namespace plumb {
 /// curves: that is never less than the distance of the curves, and it is what the trail of the tip and the
 /// colours of a field show. Both are seen through the camera of the run that is taken for true, as a camera
 /// that finds its own place would hide that it stands elsewhere. A pair of points of which neither is in the
-/// picture, not even in part of the cable's breadth, does not count. Beside the frames count the last state,
-/// and halfway between two frames between which the tip moves by more than the scene's tolerance: what is
-/// right at the frames alone may be another motion.
+/// picture, not even in part of the cable's breadth, does not count. Beside the frames count the last state
+/// and `parts_of_a_frame` from frame to frame: what is right at the frames alone may be another motion.
 class ImageErrorGauge {
  public:
+  static constexpr int parts_of_a_frame = 4;
+
   /// `truth` must outlive it. Throws OutputError where it cannot be drawn.
   ImageErrorGauge(const Trajectory& truth, const SceneInput& input);
 

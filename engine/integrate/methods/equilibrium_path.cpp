@@ -20,6 +20,8 @@ constexpr double first_step = 0.02, longest_step = 0.1, shortest_step = 1e-9;
 constexpr double path_tolerance = 1e-9;
 /// Steps of the path, tried or taken, in a run.
 constexpr long most_attempts = 20'000;
+/// Corrections, where the mesh is so fine that round-off is near.
+constexpr long most_corrections_of_fine = 600;
 /// To which the load of a critical point is found, as a share of the whole load.
 constexpr double critical_width = 1e-7;
 /// Of the step, within which a limit point is found: its load is better than that by its square.
@@ -32,10 +34,19 @@ constexpr double step_beyond = 1e-3;
 constexpr double least_straightness = 0.9;
 /// Of what the load moves at the start, beyond which corrections lead nowhere.
 constexpr double most_round_off = 0.02;
-/// The same, beyond which the sign of an eigenvalue that is not positive is round-off.
-constexpr double most_round_off_of_sign = 1e-4;
+/// The same, beyond which the sign of an eigenvalue that is not positive is round-off, and with it what asks
+/// for steps shorter than this.
+constexpr double most_round_off_of_sign = 1e-4, shortest_step_of_fine = 1e-6;
 /// A path under a primary load that goes back is followed up to the opposite of the whole load.
 constexpr double farthest_back = -1;
+
+StepResult hidden_by_round_off() {
+  return {
+      Outcome::no_convergence,
+      "the mesh is too fine: round-off, which grows with the third power of the number of elements, hides "
+      "how the path goes on",
+      -1};
+}
 
 }  // namespace
 
@@ -56,7 +67,7 @@ EquilibriumPath::EquilibriumPath(LoadedCable& loaded, Follow follow, int iterati
   beginning_ = loaded.settle(node.q, 0, iterations);
   if (!beginning_.ok()) return;
   node.negative = loaded.negative_eigenvalues();
-  if (const double share = loaded.share_of_round_off(node.q);
+  if (const double share = loaded.share_of_round_off(node.q, loaded.load());
       !(share <= (node.negative == 0 ? most_round_off : most_round_off_of_sign))) {
     beginning_ = {Outcome::no_convergence,
                   fmt::format("the mesh is too fine: {:.2g} of what the load moves is round-off, which grows "
@@ -65,6 +76,10 @@ EquilibriumPath::EquilibriumPath(LoadedCable& loaded, Follow follow, int iterati
                   -1};
     return;
   }
+  Eigen::VectorXd everywhere = Eigen::VectorXd::Zero(node.q.size());
+  for (Eigen::Index at = 0; at < everywhere.size(); at += 6) everywhere.segment<3>(at).setOnes();
+  loaded.cable().supports().apply(everywhere);
+  is_fine_ = loaded.share_of_round_off(node.q, everywhere) > most_round_off_of_sign;
   if (node.negative != 0) {
     beginning_ = {Outcome::unstable_equilibrium, "the unloaded cable would not stay as it starts", -1};
     return;
@@ -164,6 +179,8 @@ StepResult EquilibriumPath::advance() {
   for (;;) {
     stop_if_interrupted();
     const Node& from = nodes_.back();
+    if (is_fine_ && loaded_.dynamics().counters.newton_iterations > most_corrections_of_fine)
+      return hidden_by_round_off();
     if (attempts_ > most_attempts)
       return {Outcome::no_convergence,
               fmt::format("the path of equilibria took more than {} steps", most_attempts), -1};
@@ -171,6 +188,7 @@ StepResult EquilibriumPath::advance() {
     if (!tried.ok) {
       good_ = 0;
       step_ *= 0.5;
+      if (is_fine_ && step_ < shortest_step_of_fine) return hidden_by_round_off();
       if (step_ < shortest_step) {
         if (turn_off(tried.failure)) return {};
         return tried.failure;

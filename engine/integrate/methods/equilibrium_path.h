@@ -100,7 +100,8 @@ class EquilibriumPath {
   Follow follow_;
   int iterations_;
   double step_;
-  int good_ = 0;  // steps taken since one failed
+  int good_ = 0;          // steps taken since one failed
+  bool is_fine_ = false;  // the mesh, so that round-off is near
   std::vector<Node> nodes_;
   std::size_t last_ = 0;  // node before the equilibrium that was reached last
   std::vector<PathPoint> points_;

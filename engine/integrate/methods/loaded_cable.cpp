@@ -107,14 +107,14 @@ void LoadedCable::solve(Eigen::VectorXd& x) const {
   take_out_turn(x);
 }
 
-double LoadedCable::share_of_round_off(const Eigen::VectorXd& q) const {
-  Eigen::VectorXd moved = load_, left;
+double LoadedCable::share_of_round_off(const Eigen::VectorXd& q, const Eigen::VectorXd& force) const {
+  Eigen::VectorXd moved = force, left;
   solve(moved);
   BlockTridiagonal K(cable().nodes());
   cable().system(q, 0, 1, K);
   cable().supports().apply(K);
   K.multiply(moved, left);
-  left = load_ - left;
+  left = force - left;
   solve(left);
   const double size = norm(moved);
   return size > 0 ? norm(left) / size : 0;

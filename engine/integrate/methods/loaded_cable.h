@@ -40,8 +40,8 @@ class LoadedCable {
   std::optional<int> factor(const Eigen::VectorXd& q, double share = 1);
   /// x := K⁻¹ x with the K that was factored last.
   void solve(Eigen::VectorXd& x) const;
-  /// Share of what the load moves with the K at q, factored last, that is round-off; 0 without a load.
-  double share_of_round_off(const Eigen::VectorXd& q) const;
+  /// Share of what a force moves with the K at q, factored last, that is round-off; 0 without a force.
+  double share_of_round_off(const Eigen::VectorXd& q, const Eigen::VectorXd& force) const;
   /// Negative eigenvalues of the K that was factored last, -1 where they cannot be counted.
   int negative_eigenvalues() const { return dynamics_.negative_eigenvalues().value_or(-1); }
 

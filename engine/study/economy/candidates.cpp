@@ -134,7 +134,7 @@ Case with_candidate(const Case& spec, const Candidate& candidate) {
   Case result = spec;
   result.cable = candidate.cable;
   result.method = candidate.method;
-  result.time.output_interval = scene_output_interval(spec) / 2;
+  result.time.output_interval = scene_output_interval(spec) / outputs_of_a_frame;
   return result;
 }
 

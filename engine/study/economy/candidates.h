@@ -11,7 +11,10 @@ namespace plumb {
 /// the case asks for are among them if it has references or figures that need them.
 double scene_output_interval(const Case& spec);
 
-/// The case with the model and method of a candidate, and outputs where frames are and halfway between them.
+/// Outputs of a candidate from frame to frame: between frames it is held against others as well.
+inline constexpr int outputs_of_a_frame = 4;
+
+/// The case with the model and method of a candidate, and outputs where frames are and between them.
 Case with_candidate(const Case& spec, const Candidate& candidate);
 /// What makes the case of the file that one, as --set takes it.
 std::vector<std::string> candidate_overrides(const Case& spec, const Candidate& candidate);

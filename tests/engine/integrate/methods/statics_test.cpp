@@ -419,5 +419,18 @@ TEST(Statics, RefusesAMeshOnWhichEquilibriaAreRoundOff) {
   EXPECT_LE(done.counters.factorizations, 10) << "it is known at the start";
 }
 
+TEST(Statics, GivesUpSoonWhereRoundOffHidesThePath) {
+  Case spec = cantilever(1, 1e-4, 8e-10, 1e7, 8000);
+  spec.loads.end_force = {-0.1, 0, 0};  // five times what it bears
+  const Trajectory done = settle(spec, 1);
+  if (done.outcome == Outcome::no_convergence) {
+    EXPECT_NE(done.message.find("the mesh is too fine"), std::string::npos) << done.message;
+  } else {
+    EXPECT_EQ(done.outcome, Outcome::completed) << done.message;
+    EXPECT_EQ(done.equilibria.negative_eigenvalues.back(), 0);
+  }
+  EXPECT_LE(done.counters.newton_iterations, 700);
+}
+
 }  // namespace statics_test
 }  // namespace plumb

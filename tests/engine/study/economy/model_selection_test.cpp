@@ -179,7 +179,7 @@ TEST(ChooseCandidate, TheOverridesOfARungMakeItOfTheFile) {
     EXPECT_EQ(made.cable.elements, meant.cable.elements);
     EXPECT_EQ(made.cable.model, meant.cable.model);
     EXPECT_EQ(made.cable.second_moment, meant.cable.second_moment);
-    EXPECT_EQ(made.time.output_interval, 2 * meant.time.output_interval);
+    EXPECT_EQ(made.time.output_interval, outputs_of_a_frame * meant.time.output_interval);
   }
 }
 
