@@ -85,6 +85,9 @@ void expect_no_bit_to_change(Case (*cable)(Support)) {
         if (!info.dynamic && first != Support::clamped) continue;
         Case spec = cable(first);
         if (!takes(info, spec)) continue;
+        // Supports that move it refuses, and in a frame that turns loads across the axis.
+        if (info.timeless && spec.supports.move()) continue;
+        if (info.timeless) spec.start.angular_velocity.setZero();
         spec.method = with;
         const Trajectory as_it_is = integrate(spec);
         ASSERT_EQ(as_it_is.outcome, Outcome::completed) << info.name << ": " << as_it_is.message;
@@ -96,6 +99,10 @@ void expect_no_bit_to_change(Case (*cable)(Support)) {
           EXPECT_EQ(scaled.counters.steps, as_it_is.counters.steps) << where;
           EXPECT_EQ(scaled.counters.newton_iterations, as_it_is.counters.newton_iterations) << where;
           EXPECT_EQ(scaled.counters.force_evaluations, as_it_is.counters.force_evaluations) << where;
+          for (std::size_t m = 0; m < as_it_is.vibrations.modes.size(); ++m)
+            EXPECT_EQ(std::exp2(k.time) * scaled.vibrations.modes.at(m).frequency,
+                      as_it_is.vibrations.modes[m].frequency)
+                << where << ", mode " << m + 1;
           scale_nodal(std::exp2(-k.length), 1, scaled.q.back());
           scale_nodal(std::exp2(k.time - k.length), std::exp2(k.time), scaled.v.back());
           EXPECT_EQ((scaled.q.back() - as_it_is.q.back()).lpNorm<Eigen::Infinity>(), 0) << where;
