@@ -204,7 +204,7 @@ class Scene:
 
     def truth(self, elements, *more):
         # Fine meshes by long steps, longer on the half mesh so that they are in its doubt too.
-        step = min(1e-4, self.scene["end"] / 2000) * (1 if elements == self.finest else 2)
+        step = min(2e-5, self.scene["end"] / 5000) * (1 if elements == self.finest else 2)
         methods = [f"{{ name = 'generalized-alpha', step = {h!r} }}" for h in (step, step / 5)]
         if self.finest <= 32:
             methods.insert(0, "{ name = 'arkode-erk', rtol = 1e-8 }")

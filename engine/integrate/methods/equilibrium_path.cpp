@@ -204,6 +204,8 @@ StepResult EquilibriumPath::advance() {
         step_ *= 0.5;
         continue;
       }
+      // What changes sign may be round-off.
+      if (is_fine_) return hidden_by_round_off();
       return pass(Node(from), to, step_);
     }
     if (to.share < farthest_back)
@@ -276,6 +278,8 @@ bool EquilibriumPath::branch_off(const Node& from, const CriticalMode& mode, std
 StepResult EquilibriumPath::go_over(const Node& from, const Eigen::VectorXd& kick,
                                     std::string& what_followed) {
   constexpr double push = 1e-2;
+  // Damped motion would creep for thousands of steps.
+  if (is_fine_) return hidden_by_round_off();
   StepResult rest;
   for (const double more : {0.0, 1e-6, 1e-4, 1e-2}) {
     Node node;
