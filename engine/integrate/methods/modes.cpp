@@ -111,7 +111,7 @@ class Modes : public Method {
     VibrationMode mode;
     const double size = std::abs(given.exponent);
     mode.frequency = given.exponent.imag() / (2 * std::numbers::pi);
-    mode.decay = -given.exponent.real();
+    mode.decay = 0 - given.exponent.real();
     mode.damping_ratio = given.damping_ratio;
     mode.residual = given.residual;
     mode.kind = given.rigid_body             ? ModeKind::rigid_body
