@@ -27,6 +27,11 @@ GeneralEigen general_eigen(const Eigen::MatrixXcd& A) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+GeneralEigen general_eigen(const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 double spectral_radius(const Eigen::MatrixXcd& A) {
   return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(A, false).eigenvalues().cwiseAbs().maxCoeff();
 }

@@ -25,6 +25,8 @@ struct GeneralEigen {
   Eigen::MatrixXcd vectors;
 };
 GeneralEigen general_eigen(const Eigen::MatrixXcd& A);
+/// The same, in which complex ones are pairs of conjugates.
+GeneralEigen general_eigen(const Eigen::MatrixXd& A);
 
 /// The largest modulus of the eigenvalues of A.
 double spectral_radius(const Eigen::MatrixXcd& A);

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/dense.h"
 #include "engine/base/interrupt.h"
 #include "engine/model/mode_shapes.h"
 
@@ -101,12 +101,12 @@ class Solver {
     A.topRightCorner(m, m).setIdentity();
     A.bottomLeftCorner(m, m) = -Kp / (unit * unit);
     A.bottomRightCorner(m, m) = -Dp / unit;
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
+    const GeneralEigen eigen = general_eigen(A);
     std::vector<ComplexMode> modes;
     for (Eigen::Index k = 0; k < 2 * m; ++k) {
-      const Complex exponent = unit * eigen.eigenvalues()[k];
+      const Complex exponent = unit * eigen.values[k];
       if (exponent.imag() < 0) continue;
-      const Eigen::VectorXcd x = eigen.eigenvectors().col(k).head(m).normalized();
+      const Eigen::VectorXcd x = eigen.vectors.col(k).head(m).normalized();
       const double rigid_share = x.head(rigid).squaredNorm(), size = std::abs(exponent);
       if (1 - rigid_share < as_good_as_rigid && exponent.imag() <= as_good_as_zero * unit) continue;
       const double b = x.dot(Dp * x).real(), c = x.dot(Kp * x).real();

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "engine/base/dense.h"
 #include "engine/base/interrupt.h"
 #include "engine/model/mode_shapes.h"
 
@@ -128,10 +128,10 @@ class Lanczos {
       T.block(0, done - rigid, next, block) = terms.bottomRows(next);
       const Eigen::MatrixXd beyond = terms.bottomRows(next - size);
       const Eigen::MatrixXd within = T.topLeftCorner(size, size);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (within + within.transpose()));
+      const SymmetricEigen ritz = symmetric_eigen(0.5 * (within + within.transpose()));
       // Rising: the greatest 1/(ω² + σ) come last.
-      const Eigen::VectorXd values = ritz.eigenvalues().reverse();
-      const Eigen::MatrixXd vectors = ritz.eigenvectors().rowwise().reverse();
+      const Eigen::VectorXd values = ritz.values.reverse();
+      const Eigen::MatrixXd vectors = ritz.vectors.rowwise().reverse();
       Eigen::Index good = 0;
       while (good < size && (beyond * vectors.col(good).tail(block)).norm() <= converged * values[good])
         ++good;
@@ -181,10 +181,10 @@ class Lanczos {
 
   /// ω² and shapes from strains among what Lanczos's method found, of which `good` are converged.
   void sharpen(Eigen::Index good) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(motions_.stiffness_of(shapes_));
+    const SymmetricEigen ritz = symmetric_eigen(motions_.stiffness_of(shapes_));
     const Eigen::Index kept = std::min(good, shapes_.cols());
-    shapes_ = (shapes_ * ritz.eigenvectors().leftCols(kept)).eval();
-    squares_ = ritz.eigenvalues().head(kept);
+    shapes_ = (shapes_ * ritz.vectors.leftCols(kept)).eval();
+    squares_ = ritz.values.head(kept);
     for (Eigen::Index k = 0; k < kept; ++k)
       if (motions_.stiffness_along(shapes_.col(k)) == 0) squares_[k] = 0;
   }

@@ -1,9 +1,9 @@
 #include "engine/model/small_motions.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/base/dense.h"
 #include "engine/model/cross_matrix.h"
 #include "engine/model/inertia.h"
 
@@ -44,29 +44,28 @@ Eigen::MatrixXd rigid_motions(const SmallMotions& motions) {
   }
   constexpr double none = 1e-12;
   const Eigen::Matrix3d inertia = rigid.rightCols<3>().transpose() * moved;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
-  const double greatest = axes.eigenvalues()[2];
+  const SymmetricEigen axes = symmetric_eigen(inertia);
+  const double greatest = axes.values[2];
   Eigen::MatrixXd result = rigid;
   result.conservativeResize(cable.size(), 3);
   for (Eigen::Index k = 0; k < 3; ++k) {
-    if (!(axes.eigenvalues()[k] > none * greatest)) continue;
+    if (!(axes.values[k] > none * greatest)) continue;
     result.conservativeResize(Eigen::NoChange, result.cols() + 1);
-    result.rightCols<1>() =
-        rigid.rightCols<3>() * (axes.eigenvectors().col(k) / std::sqrt(axes.eigenvalues()[k]));
+    result.rightCols<1>() = rigid.rightCols<3>() * (axes.vectors.col(k) / std::sqrt(axes.values[k]));
   }
   return result;
 }
 
 /// Columns that span where a symmetric matrix ≥ 0 is no more than `none`.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& A, double none) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A);
-  const auto count = (eigen.eigenvalues().array().abs() <= none).count();
+  const SymmetricEigen eigen = symmetric_eigen(A);
+  const auto count = (eigen.values.array().abs() <= none).count();
   // A matrix that is 0 leaves the axes as they are.
   if (count == A.cols()) return Eigen::MatrixXd::Identity(A.rows(), A.cols());
   Eigen::MatrixXd result(A.rows(), count);
   Eigen::Index to = 0;
   for (Eigen::Index k = 0; k < A.cols(); ++k)
-    if (std::abs(eigen.eigenvalues()[k]) <= none) result.col(to++) = eigen.eigenvectors().col(k);
+    if (std::abs(eigen.values[k]) <= none) result.col(to++) = eigen.vectors.col(k);
   return result;
 }
 
@@ -237,7 +236,7 @@ Eigen::MatrixXd free_rigid_motions(const SmallMotions& motions) {
     rigid.col(k) = x;
   }
   if (rigid.cols() == 0) return rigid;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> resisted(motions.stiffness_of(rigid));
+  const SymmetricEigen resisted = symmetric_eigen(motions.stiffness_of(rigid));
   const auto is_free = [&](const Eigen::VectorXd& x) { return motions.stiffness_along(x) == 0; };
   Eigen::MatrixXd result(rigid.rows(), 0);
   const auto keep_free = [&](const Eigen::MatrixXd& motion) {
@@ -251,7 +250,7 @@ Eigen::MatrixXd free_rigid_motions(const SmallMotions& motions) {
   // As they are where nothing is resisted, so that translations stay translations.
   if (result.cols() == rigid.cols()) return result;
   result.resize(rigid.rows(), 0);
-  keep_free(rigid * resisted.eigenvectors());
+  keep_free(rigid * resisted.vectors);
   return result;
 }
 

@@ -188,7 +188,7 @@ void check_motion(TableReader table, const Case& spec) {
   if (info == nullptr || !spec.supports.first_rotation || info->takes_rotation) return;
   std::string others;
   for (const MethodInfo& other : method_infos())
-    if (other.takes_rotation) others += (others.empty() ? "" : ", ") + other.name;
+    if (other.takes_rotation && !other.timeless) others += (others.empty() ? "" : ", ") + other.name;
   table.refuse_value(
       "first_rotation",
       fmt::format("is not taken by {}, as forces in a frame that turns depend on rates and have "

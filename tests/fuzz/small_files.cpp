@@ -39,15 +39,20 @@ std::string without_comments(const std::string& text) {
 const CaseSource& small_source() {
   static const CaseSource source = [] {
     const std::string data = PLUMB_TEST_DATA;
-    const std::string pendulum =
-        without_comments(read_whole_file(PLUMB_SOURCE_DIR "/cases/references/pendulum_converged.toml"));
-    return CaseSource{{"case.toml", read_whole_file(data + "/small_case.toml")},
-                      {},
-                      {{"small_reference.toml", read_whole_file(data + "/small_reference.toml")},
-                       {"references/pendulum_converged.toml", pendulum},
-                       // The published one takes the longest of all to read.
-                       {"references/pendulum_published.toml", pendulum}},
-                      {{"run.csv", "t [s],tip.x [mm],tip.y [m]\n0,1,0\n0.5,1,-0.25\n1,1e3,-1\n"}}};
+    CaseSource made{{"case.toml", read_whole_file(data + "/small_case.toml")},
+                    {},
+                    {{"small_reference.toml", read_whole_file(data + "/small_reference.toml")}},
+                    {{"run.csv", "t [s],tip.x [mm],tip.y [m]\n0,1,0\n0.5,1,-0.25\n1,1e3,-1\n"}}};
+    const std::string folder = PLUMB_SOURCE_DIR "/cases/references/";
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      // The pendulum's published one takes the longest of all to read.
+      const bool is_long = name == "pendulum_published.toml";
+      const std::string path = folder + (is_long ? "pendulum_converged.toml" : name);
+      if (path.ends_with(".toml"))
+        made.references.push_back({"references/" + name, without_comments(read_whole_file(path))});
+    }
+    return made;
   }();
   return source;
 }

@@ -61,14 +61,11 @@ struct Tableau {
     velocity = A;
     position = A * A;
     end_position = A.transpose() * b;
-    const auto [values, vectors] = general_eigen(A);
-    const Eigen::Matrix3cd columns = vectors * vectors.row(0).cwiseInverse().asDiagonal();
-    const Eigen::Matrix3cd rows = columns.inverse();
-    Eigen::Index real_one = 0;
-    values.imag().cwiseAbs().minCoeff(&real_one);
+    const auto [values, vectors] = general_eigen(Eigen::MatrixXd(A));
+    const Eigen::Matrix3cd columns = vectors, rows = columns.inverse();
     for (int i = 0; i < stages; ++i) {
       const Complex lambda = values[i];
-      if (i == real_one) {
+      if (lambda.imag() == 0) {
         real = lambda.real();
         real_column = columns.col(i).real();
         real_row = rows.row(i).real().transpose();
