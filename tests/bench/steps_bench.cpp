@@ -62,7 +62,7 @@ void look(benchmark::State& state) {
   const Case pendulum_case = pendulum_of(static_cast<int>(state.range(0)));
   const Cable cable(pendulum_case);
   const State start{0, cable.start_q(pendulum_case.start), cable.start_v(pendulum_case.start)};
-  const Monitor monitor(cable, start);
+  const Monitor monitor(cable, start, pendulum_case.time.end);
   for (auto _ : state) benchmark::DoNotOptimize(monitor.check(start).ok());
   state.counters["ns/element"] =
       benchmark::Counter(static_cast<double>(state.range(0)) * 1e-9,
