@@ -166,7 +166,8 @@ void DiscreteGradient::add_tangent(const Eigen::VectorXd& q0, const Eigen::Vecto
     Vector12 D = Vector12::Zero();
     Matrix12 K = Matrix12::Zero();
     add_element(q0.data() + 6 * e, q1.data() + 6 * e, D, &K);
-    A.add_element(e, factor * K);
+    K *= factor;
+    A.add_element(e, K);
   }
 }
 

@@ -74,7 +74,7 @@ class EnergyMomentum : public OneStepMethod {
         middle.add_last_rate(rates_);
         cable.add_other_forces(from.t + 0.5 * h, 1, middle_, rates_, residual_, middle);
       }
-      unheld_ = residual_;
+      if (moves) unheld_ = residual_;
       cable.supports().apply(residual_);
       return {};
     };
