@@ -8,8 +8,8 @@ namespace plumb {
 
 ElementPlace ElementPlace::in_units(const OwnUnits& units) const {
   ElementPlace result = *this;
-  for (const std::size_t of_slope : {1, 3}) result.position[of_slope] /= units.length;
-  for (const std::size_t of_position : {0, 2}) result.slope[of_position] *= units.length;
+  for (const std::size_t of_slope : {1U, 3U}) result.position[of_slope] /= units.length;
+  for (const std::size_t of_position : {0U, 2U}) result.slope[of_position] *= units.length;
   result.length /= units.length;
   return result;
 }

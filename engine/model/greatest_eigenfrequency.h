@@ -5,6 +5,7 @@
 namespace plumb {
 
 class Cable;
+struct Case;
 
 /// The fastest vibration of a cable about a state, with its supports: the greatest ω of K(q) φ = ω² M φ.
 struct FastestVibration {

@@ -44,7 +44,7 @@ std::vector<PointMass> point_masses(const Case& spec) {
 
 std::vector<PointMass> in_units(std::vector<PointMass> points, const OwnUnits& units) {
   for (PointMass& point : points) {
-    for (const std::size_t of_slope : {1, 3}) point.shape[of_slope] /= units.length;
+    for (const std::size_t of_slope : {1U, 3U}) point.shape[of_slope] /= units.length;
     point.mass /= units.mass;
   }
   return points;

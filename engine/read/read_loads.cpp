@@ -88,7 +88,6 @@ DampingSpec read_damping(TableReader table, CableModel model) {
 
 void check_frame(const TableReader& start, const TableReader& supports, const TableReader& loads,
                  const std::vector<TableReader>& applied, const TableReader& damping, const Case& spec) {
-  constexpr double round_off = 1e-12;
   const MethodInfo& info = *find_method(spec.method.name);
   const Vec3& spin = spec.start.angular_velocity;
   const std::string still = fmt::format("must be 0 for {}, which starts at rest", info.name);

@@ -20,7 +20,7 @@ int linear_combination(int count, double* factors, N_Vector* vectors, N_Vector s
   if (count > most) return N_VLinearCombination_Serial(count, factors, vectors, sum);
   std::array<const double*, most> from;
   std::array<double, most> times;
-  int used = 0;
+  std::size_t used = 0;
   for (int k = 0; k < count; ++k) {
     if (factors[k] == 0) continue;
     from[used] = N_VGetArrayPointer(vectors[k]);
@@ -31,7 +31,7 @@ int linear_combination(int count, double* factors, N_Vector* vectors, N_Vector s
   const auto add_up = [&]<int width>(Eigen::Index at) {
     using Part = Eigen::Array<double, width, 1>;
     Part part = Part::Zero();
-    for (int k = 0; k < used; ++k) part += times[k] * Eigen::Map<const Part>(from[k] + at);
+    for (std::size_t k = 0; k < used; ++k) part += times[k] * Eigen::Map<const Part>(from[k] + at);
     Eigen::Map<Part>(to + at) = part;
   };
   constexpr int wide = 12;
