@@ -4,20 +4,12 @@
 #include <cmath>
 
 #include "engine/model/cross_matrix.h"
-#include "engine/model/hermite.h"
-#include "engine/model/quadrature.h"
 
 namespace plumb {
 namespace {
 
 using Matrix3 = Eigen::Matrix3d;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
-
-Vec3 sum_of(const std::array<double, 4>& shape, const double* q) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) sum += shape[static_cast<std::size_t>(i)] * Eigen::Map<const Vec3>(q + 3 * i);
-  return sum;
-}
 
 /// k of a slope g and r'' = c, with rates dg and dc, and what is made of it.
 struct Bending {
@@ -105,14 +97,8 @@ Damping::Damping(const DampingSpec& spec, const ElementConstants& element, int e
     bending_ = 0;
     return;
   }
-  const auto points = [&](std::span<const QuadraturePoint> rule) {
-    std::vector<Point> result;
-    for (const QuadraturePoint& p : rule)
-      result.push_back({p.weight * l, Hermite::slopes(p.x, l), Hermite::curvatures(p.x, l)});
-    return result;
-  };
-  axial_points_ = points(element.full ? gauss_rule(5) : lobatto_rule());
-  bending_points_ = points(gauss_rule(element.full ? 3 : 2));
+  axial_points_ = stretching_points(element);
+  bending_points_ = bending_points(element);
 }
 
 Damping Damping::in_units(const OwnUnits& units, const ElementConstants& element) const {
@@ -124,19 +110,19 @@ void Damping::add_force(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eige
   for (int e = 0; e < elements_; ++e) {
     const double *at = q.data() + 6 * e, *rate = v.data() + 6 * e;
     Vector12 F = Vector12::Zero();
-    for (const Point& point : axial_points_) {
-      const Vec3 g = sum_of(point.slope, at);
+    for (const IntegrationPoint& point : axial_points_) {
+      const Vec3 g = combine(point.slope, at);
       const double a = g.squaredNorm();
       if (!(a > slope_floor * slope_floor)) continue;
-      const double strain_rate = g.dot(sum_of(point.slope, rate)) / (green_ ? 1 : a);
+      const double strain_rate = g.dot(combine(point.slope, rate)) / (green_ ? 1 : a);
       add_vector(point.slope, (-axial_ * point.weight * strain_rate) * g, F);
     }
-    for (const Point& point : bending_points_) {
+    for (const IntegrationPoint& point : bending_points_) {
       if (bending_ == 0) break;
-      const Vec3 g = sum_of(point.slope, at);
+      const Vec3 g = combine(point.slope, at);
       if (!(g.norm() > slope_floor)) continue;
-      const Bending b(g, sum_of(point.bend, at), sum_of(point.slope, rate), sum_of(point.bend, rate), green_,
-                      straight_);
+      const Bending b(g, combine(point.bend, at), combine(point.slope, rate), combine(point.bend, rate),
+                      green_, straight_);
       const double w = -bending_ * point.weight;
       add_vector(point.slope, w * (b.k_by_g.transpose() * b.p), F);
       add_vector(point.bend, w * (b.k_by_c.transpose() * b.p), F);
@@ -151,8 +137,8 @@ void Damping::add_system(const Eigen::VectorXd& q, const Eigen::VectorXd& v, dou
   for (int e = 0; e < elements_; ++e) {
     const double *at = q.data() + 6 * e, *rate = v.data() + 6 * e;
     Block12 K = Block12::Zero();
-    for (const Point& point : axial_points_) {
-      const Vec3 g = sum_of(point.slope, at), dg = sum_of(point.slope, rate);
+    for (const IntegrationPoint& point : axial_points_) {
+      const Vec3 g = combine(point.slope, at), dg = combine(point.slope, rate);
       const double a = g.squaredNorm(), stretching = g.dot(dg);
       if (!(a > slope_floor * slope_floor)) continue;
       const double scale = green_ ? 1 : 1 / a, w = axial_ * point.weight * scale;
@@ -161,12 +147,12 @@ void Damping::add_system(const Eigen::VectorXd& q, const Eigen::VectorXd& v, dou
       if (!green_) H -= (2 * stiffness_factor * w * stretching / a) * g * g.transpose();
       add_block(point.slope, point.slope, H, K);
     }
-    for (const Point& point : bending_points_) {
+    for (const IntegrationPoint& point : bending_points_) {
       if (bending_ == 0) break;
-      const Vec3 g = sum_of(point.slope, at);
+      const Vec3 g = combine(point.slope, at);
       if (!(g.norm() > slope_floor)) continue;
-      const Bending b(g, sum_of(point.bend, at), sum_of(point.slope, rate), sum_of(point.bend, rate), green_,
-                      straight_);
+      const Bending b(g, combine(point.bend, at), combine(point.slope, rate), combine(point.bend, rate),
+                      green_, straight_);
       const RateOfBending changes(b);
       const SecondOfBending second(b, b.p);
       const double w = bending_ * point.weight, by_q = stiffness_factor * w, by_v = rate_factor * w;

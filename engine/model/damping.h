@@ -6,6 +6,7 @@
 #include "engine/case/case.h"
 #include "engine/kernels/kernels.h"
 #include "engine/model/block_lu.h"
+#include "engine/model/integration_points.h"
 #include "engine/model/own_units.h"
 
 namespace plumb {
@@ -35,17 +36,12 @@ class Damping {
                   double rate_factor, GeneralBlockTridiagonal<double>& A) const;
 
  private:
-  struct Point {
-    double weight;  // m
-    std::array<double, 4> slope, bend;
-  };
-
   DampingSpec spec_;
   int elements_;
   double by_mass_, axial_, bending_;  // 1/s, N s, N m² s
   bool green_;
   double straight_;  // s, 1/m
-  std::vector<Point> axial_points_, bending_points_;
+  std::vector<IntegrationPoint> axial_points_, bending_points_;
 };
 
 }  // namespace plumb

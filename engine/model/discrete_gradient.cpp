@@ -4,19 +4,11 @@
 #include <cmath>
 
 #include "engine/model/cable.h"
-#include "engine/model/hermite.h"
-#include "engine/model/quadrature.h"
 
 namespace plumb {
 namespace {
 
 using Matrix3 = Eigen::Matrix3d;
-
-Vec3 combine(const std::array<double, 4>& s, const double* q) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) sum += s[static_cast<std::size_t>(i)] * Eigen::Map<const Vec3>(q + 3 * i);
-  return sum;
-}
 
 /// The mean force of stretching is c(a₀, a₁) times the mean slope.
 struct Axial {
@@ -58,18 +50,9 @@ DiscreteGradient::DiscreteGradient(const Cable& cable)
       axial_stiffness_(cable.constants().axial_stiffness),
       bending_stiffness_(cable.constants().bending_stiffness),
       green_(cable.constants().green),
-      chain_(cable.chain()) {
-  const double l = cable.constants().length;
-  const bool full = cable.constants().full;
-  const auto points = [&](std::span<const QuadraturePoint> rule) {
-    std::vector<Point> result;
-    for (const QuadraturePoint& p : rule)
-      result.push_back({p.weight * l, Hermite::slopes(p.x, l), Hermite::curvatures(p.x, l)});
-    return result;
-  };
-  axial_ = points(full ? gauss_rule(5) : lobatto_rule());
-  bending_ = points(gauss_rule(full ? 3 : 2));
-}
+      chain_(cable.chain()),
+      axial_(stretching_points(cable.constants())),
+      bending_(bending_points(cable.constants())) {}
 
 bool DiscreteGradient::add_element(const double* q0, const double* q1, Vector12& D, Matrix12* K) const {
   if (chain_) {
@@ -101,20 +84,20 @@ bool DiscreteGradient::add_element(const double* q0, const double* q1, Vector12&
         K->block<3, 3>(3 * i, 3 * j) +=
             (row[static_cast<std::size_t>(i)] * column[static_cast<std::size_t>(j)]) * H;
   };
-  for (const Point& point : axial_) {
-    const Vec3 g0 = combine(point.s1, q0), g1 = combine(point.s1, q1), g = 0.5 * (g0 + g1);
+  for (const IntegrationPoint& point : axial_) {
+    const Vec3 g0 = combine(point.slope, q0), g1 = combine(point.slope, q1), g = 0.5 * (g0 + g1);
     const double a0 = g0.squaredNorm(), a1 = g1.squaredNorm();
     if (!(a0 > floor) || !(a1 > floor)) return false;
     const Axial axial(green_, axial_stiffness_ * point.weight, a0, a1);
-    add_force(point.s1, axial.c * g);
+    add_force(point.slope, axial.c * g);
     if (K == nullptr) continue;
     Matrix3 H = (2 * axial.by_a1) * g * g1.transpose();
     H.diagonal().array() += 0.5 * axial.c;
-    add_block(point.s1, point.s1, H);
+    add_block(point.slope, point.slope, H);
   }
-  for (const Point& point : bending_) {
-    const Vec3 g0 = combine(point.s1, q0), g1 = combine(point.s1, q1), g = 0.5 * (g0 + g1);
-    const Vec3 c0 = combine(point.s2, q0), c1 = combine(point.s2, q1), c = 0.5 * (c0 + c1);
+  for (const IntegrationPoint& point : bending_) {
+    const Vec3 g0 = combine(point.slope, q0), g1 = combine(point.slope, q1), g = 0.5 * (g0 + g1);
+    const Vec3 c0 = combine(point.bend, q0), c1 = combine(point.bend, q1), c = 0.5 * (c0 + c1);
     const double a0 = g0.squaredNorm(), a1 = g1.squaredNorm(), a = 0.5 * (a0 + a1);
     if (!(a0 > floor) || !(a1 > floor)) return false;
     const double b1 = c1.squaredNorm(), b = 0.5 * (c0.squaredNorm() + b1);
@@ -124,8 +107,8 @@ bool DiscreteGradient::add_element(const double* q0, const double* q1, Vector12&
     // With W = ½k (ab − d²) s: twice the quotients by a and b, and that by d.
     const double k = bending_stiffness_ * point.weight;
     const double A = k * (s.mean * b + nn * s.quotient), B = k * s.mean * a, C = -k * s.mean * d;
-    add_force(point.s1, A * g + C * c);
-    add_force(point.s2, B * c + C * g);
+    add_force(point.slope, A * g + C * c);
+    add_force(point.bend, B * c + C * g);
     if (K == nullptr) continue;
     const double A_a = k * (s.mean_by_a1 * b + 0.5 * b1 * s.quotient + nn * s.quotient_by_a1);
     const double A_b = k * 0.5 * (s.mean + a1 * s.quotient), A_d = -k * d1 * s.quotient;
@@ -140,10 +123,10 @@ bool DiscreteGradient::add_element(const double* q0, const double* q1, Vector12&
     gc.diagonal().array() += 0.5 * C;
     cg.diagonal().array() += 0.5 * C;
     cc.diagonal().array() += 0.5 * B;
-    add_block(point.s1, point.s1, gg);
-    add_block(point.s1, point.s2, gc);
-    add_block(point.s2, point.s1, cg);
-    add_block(point.s2, point.s2, cc);
+    add_block(point.slope, point.slope, gg);
+    add_block(point.slope, point.bend, gc);
+    add_block(point.bend, point.slope, cg);
+    add_block(point.bend, point.bend, cc);
   }
   return true;
 }

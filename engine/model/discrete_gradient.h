@@ -7,6 +7,7 @@
 #include "engine/model/block_lu.h"
 #include "engine/model/chain.h"
 #include "engine/model/element.h"
+#include "engine/model/integration_points.h"
 
 namespace plumb {
 
@@ -31,12 +32,6 @@ class DiscreteGradient {
                    GeneralBlockTridiagonal<double>& A) const;
 
  private:
-  /// Shape function derivatives at an integration point, and its weight times l, m.
-  struct Point {
-    double weight;
-    std::array<double, 4> s1;
-    std::array<double, 4> s2;
-  };
   using Vector12 = Eigen::Matrix<double, 12, 1>;
   using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
@@ -47,7 +42,7 @@ class DiscreteGradient {
   double axial_stiffness_, bending_stiffness_;
   bool green_;
   std::optional<Chain> chain_;
-  std::vector<Point> axial_, bending_;
+  std::vector<IntegrationPoint> axial_, bending_;
 };
 
 }  // namespace plumb

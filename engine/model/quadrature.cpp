@@ -38,4 +38,12 @@ std::span<const QuadraturePoint> lobatto_rule() {
   return lobatto_3;
 }
 
+std::span<const QuadraturePoint> stretching_rule(bool full) {
+  return full ? gauss_rule(5) : lobatto_rule();
+}
+
+std::span<const QuadraturePoint> bending_rule(bool full) {
+  return gauss_rule(full ? 3 : 2);
+}
+
 }  // namespace plumb

@@ -17,4 +17,8 @@ std::span<const QuadraturePoint> gauss_rule(int points);
 /// Lobatto rule with 3 points (Simpson's), exact for polynomials of degree 3.
 std::span<const QuadraturePoint> lobatto_rule();
 
+/// The rules of full and of reduced quadrature for the energy of stretching and for that of bending.
+std::span<const QuadraturePoint> stretching_rule(bool full);
+std::span<const QuadraturePoint> bending_rule(bool full);
+
 }  // namespace plumb

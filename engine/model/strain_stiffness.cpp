@@ -71,13 +71,13 @@ Eigen::MatrixXd StrainStiffness::of(const Eigen::MatrixXd& X) const {
       add(change, EA * of_stretching(chord, c.green));
       continue;
     }
-    for (const QuadraturePoint& point : c.full ? gauss_rule(5) : lobatto_rule()) {
+    for (const QuadraturePoint& point : stretching_rule(c.full)) {
       const Vec3 slope = changes_at(q, point.x, c.length).topRows<3>();
       const Eigen::Matrix<double, 3, Eigen::Dynamic> change = changes_at(x, point.x, c.length).topRows<3>();
       add(change, EA * point.weight * of_stretching(slope, c.green));
     }
     if (EI == 0) continue;
-    for (const QuadraturePoint& point : gauss_rule(c.full ? 3 : 2)) {
+    for (const QuadraturePoint& point : bending_rule(c.full)) {
       const Changes at = changes_at(q, point.x, c.length);
       add(changes_at(x, point.x, c.length),
           EI * point.weight * of_bending(at.topRows<3>(), at.bottomRows<3>(), c.green ? 3 : 2));

@@ -6,18 +6,13 @@
 
 #include "engine/kernels/kernels.h"
 #include "engine/model/cross_matrix.h"
+#include "engine/model/integration_points.h"
 #include "engine/model/quadrature.h"
 
 namespace plumb {
 namespace {
 
 using Matrix3 = Eigen::Matrix3d;
-
-Vec3 combine(const std::array<double, 4>& shape, const double* q) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) sum += shape[static_cast<std::size_t>(i)] * Eigen::Map<const Vec3>(q + 3 * i);
-  return sum;
-}
 
 /// A vector and its derivative by the direction of the cable.
 struct Turned {
