@@ -105,8 +105,7 @@ void check_frame(const TableReader& start, const TableReader& supports, const Ta
   };
   const std::string along = fmt::format(
       "must be along start.angular_velocity for {}: the cable rests in a frame that turns with it, in which "
-      "what "
-      "is across goes round",
+      "what is across goes round",
       info.name);
   if (turns(spec.loads.gravity)) loads.refuse_value("gravity", along);
   if (turns(spec.loads.end_force)) loads.refuse_value("end_force", along);

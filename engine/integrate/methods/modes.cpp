@@ -72,19 +72,16 @@ class Modes : public Method {
     };
     found_.rigid_body = count_of(ModeKind::rigid_body);
     growing = std::max(growing, count_of(ModeKind::growing));
-    if (!failure.empty())
+    if (!failure.empty()) {
       conclusion_ = {Outcome::no_convergence, failure, -1};
-    else if (growing > 0)
-      conclusion_ = {
-          Outcome::unstable_equilibrium,
-          motions.has_rates() || !motions.has_symmetric_stiffness()
-              ? fmt::format("{} of the modes grow{}: the cable would leave this equilibrium at the "
-                            "least disturbance",
-                            growing, growing == 1 ? "s" : "")
-              : "the cable would leave this equilibrium at the least disturbance: the stiffness "
-                "has " +
-                    eigenvalues_in_words(growing),
-          -1};
+    } else if (growing > 0) {
+      const std::string_view leaves = "the cable would leave this equilibrium at the least disturbance";
+      conclusion_ = {Outcome::unstable_equilibrium,
+                     motions.has_rates() || !motions.has_symmetric_stiffness()
+                         ? fmt::format("{} of the modes grow{}: {}", growing, growing == 1 ? "s" : "", leaves)
+                         : fmt::format("{}: the stiffness has {}", leaves, eigenvalues_in_words(growing)),
+                     -1};
+    }
   }
 
   /// One of K φ = ω² M φ.
