@@ -5,6 +5,7 @@
 
 #include "engine/model/cable.h"
 #include "engine/model/support_constraints.h"
+#include "tests/engine/integrate/expected_order.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
@@ -72,35 +73,11 @@ TEST(MovingSupports, MakeTheSameMotionByTwoUnlikeMethods) {
 }
 
 TEST(MovingSupports, AreIntegratedAtTheOrderOfEachMethod) {
-  struct Expected {
-    const char* name;
-    double step, order;
-  };
   for (const Kind kind : {Kind::carried, Kind::pulled, Kind::turned})
-    for (const Expected& e : {Expected{"velocity-verlet", 1e-3, 2},
-                              {"rk4", 2e-3, 4},
-                              {"linearly-implicit-euler", 1e-4, 1},
-                              {"implicit-euler", 1e-4, 1},
-                              {"trapezoidal", 1e-3, 2},
-                              {"hht", 1e-3, 2},
-                              {"generalized-alpha", 1e-3, 2},
-                              {"implicit-midpoint", 1e-3, 2},
-                              {"energy-momentum", 1e-3, 2},
-                              {"bdf", 5e-4, 2},
-                              {"gauss", 4e-3, 6}}) {
-      if (!takes(*find_method(e.name), moved(kind))) continue;
-      double previous = 0;
-      std::string seen = fmt::format("{}, {}", e.name, in_words(kind));
-      for (const double h : {e.step, e.step / 2}) {
-        const Trajectory trajectory = run(moved(kind), method(e.name, h), short_time);
-        ASSERT_EQ(trajectory.outcome, Outcome::completed) << seen << trajectory.message;
-        const double error = distance(trajectory, true_motion(kind));
-        seen += fmt::format("\n  h = {:g}: {:.3g} m", h, error);
-        if (previous > 0) {
-          EXPECT_NEAR(std::log2(previous / error), e.order, e.order > 4 ? 1.5 : 0.3) << seen;
-        }
-        previous = error;
-      }
+    for (const ExpectedOrder& expected : expected_orders) {
+      const auto error = [&](const Trajectory& run) { return distance(run, true_motion(kind)); };
+      if (takes(*find_method(expected.name), moved(kind)))
+        expect_order(expected, moved(kind), short_time, error, in_words(kind));
     }
 }
 

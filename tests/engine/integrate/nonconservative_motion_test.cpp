@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/model/cable.h"
+#include "tests/engine/integrate/expected_order.h"
 #include "tests/engine/pendulum.h"
 
 namespace plumb {
@@ -265,36 +266,11 @@ TEST(DrivenPendulum, HasTheSameMotionByTwoUnlikeMethods) {
 }
 
 TEST(DrivenPendulum, IsIntegratedAtTheOrderOfEachMethod) {
-  struct Expected {
-    const char* name;
-    double step, order;
-  };
   for (const bool damped : {false, true})
-    for (const Expected& e : {Expected{"velocity-verlet", 1e-3, 2},
-                              {"rk4", 2e-3, 4},
-                              {"linearly-implicit-euler", 1e-4, 1},
-                              {"implicit-euler", 1e-4, 1},
-                              {"trapezoidal", 1e-3, 2},
-                              {"hht", 1e-3, 2},
-                              {"generalized-alpha", 1e-3, 2},
-                              {"implicit-midpoint", 1e-3, 2},
-                              {"energy-momentum", 1e-3, 2},
-                              {"bdf", 5e-4, 2},
-                              {"gauss", 4e-3, 6},
-                              {"runge-kutta-nystrom", 1e-2, 8}}) {
-      if (damped && !find_method(e.name)->takes_damping) continue;
-      double previous = 0;
-      std::string seen = fmt::format("{}, {}", e.name, damped ? "damped" : "not damped");
-      for (const double h : {e.step, e.step / 2}) {
-        const Trajectory trajectory = run(driven(damped), method(e.name, h), short_time);
-        ASSERT_EQ(trajectory.outcome, Outcome::completed) << seen << trajectory.message;
-        const double error = tip_distance(trajectory, true_motion(damped));
-        seen += fmt::format("\n  h = {:g}: {:.3g} m", h, error);
-        if (previous > 0) {
-          EXPECT_NEAR(std::log2(previous / error), e.order, e.order > 4 ? 1.5 : 0.3) << seen;
-        }
-        previous = error;
-      }
+    for (const ExpectedOrder& expected : expected_orders) {
+      const auto error = [&](const Trajectory& run) { return tip_distance(run, true_motion(damped)); };
+      if (!damped || find_method(expected.name)->takes_damping)
+        expect_order(expected, driven(damped), short_time, error, damped ? "damped" : "not damped");
     }
 }
 

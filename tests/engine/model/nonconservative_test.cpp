@@ -5,16 +5,10 @@
 
 #include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
+#include "tests/engine/scattered.h"
 
 namespace plumb {
 namespace nonconservative_test {
-
-/// Numbers of no order, between -1 and 1.
-Eigen::VectorXd scattered(Eigen::Index size, double seed) {
-  Eigen::VectorXd x(size);
-  for (Eigen::Index i = 0; i < size; ++i) x[i] = std::sin(12.9898 * static_cast<double>(i + 1) + seed);
-  return x;
-}
 
 /// A cable bent in space.
 Eigen::VectorXd bent(const Cable& cable) {

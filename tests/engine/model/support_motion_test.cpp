@@ -7,15 +7,10 @@
 #include "engine/integrate/dynamics.h"
 #include "engine/model/cable.h"
 #include "tests/engine/pendulum.h"
+#include "tests/engine/scattered.h"
 
 namespace plumb {
 namespace support_motion_test {
-
-Eigen::VectorXd scattered(Eigen::Index size, double seed) {
-  Eigen::VectorXd x(size);
-  for (Eigen::Index i = 0; i < size; ++i) x[i] = std::sin(7.9898 * static_cast<double>(i + 1) + seed);
-  return x;
-}
 
 /// A damped cable with loads of all kinds, whose first end goes and turns and whose last one goes its own
 /// way.
@@ -38,8 +33,7 @@ Case moved_cable() {
 }
 
 Eigen::VectorXd bent(const Cable& cable, double seed) {
-  Eigen::VectorXd q = cable.start_q({}) + 0.1 * scattered(cable.size(), seed);
-  return q;
+  return cable.start_q({}) + 0.1 * scattered(cable.size(), seed);
 }
 
 TEST(MovedSupports, TakeTheHeldEndsWhereTheyAreSaidToGo) {

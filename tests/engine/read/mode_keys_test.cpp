@@ -8,38 +8,33 @@
 namespace plumb {
 namespace mode_keys_test {
 
+/// A reference over another abscissa than time.
+NamedText computed(const std::string& title, const std::string& abscissa, const std::string& column,
+                   const std::string& unit, const std::string& first_row) {
+  return {title + ".toml", fmt::format(R"(title = "{}"
+kind = "computed"
+source = "a"
+obtained = "by hand"
+columns = ["{}", "{}"]
+rows = [{}, [3, 4.0]]
+[[series]]
+name = "{}"
+figure = "1"
+unit = "{}"
+uncertainty = 0.1
+uncertainty_basis = "guess"
+)",
+                                       title, abscissa, column, first_row, column, unit)};
+}
+
 /// A soft cable, pinned at both ends, whose modes are asked for, with more tables and overrides.
 CaseSource source(const std::string& more, const std::vector<std::string>& overrides = {}) {
   CaseSource result{{"case.toml", std::string("title = \"Modes\"\n[supports]\nfirst = \"pinned\"\n") +
                                       soft_cable + "elements = 4\n[method]\nname = \"modes\"\n" + more},
                     overrides,
                     {}};
-  result.references.push_back({"known.toml", R"(title = "known"
-kind = "computed"
-source = "a"
-obtained = "by hand"
-columns = ["mode", "f"]
-rows = [[1, 2.0], [3, 4.0]]
-[[series]]
-name = "f"
-figure = "1"
-unit = "Hz"
-uncertainty = 0.1
-uncertainty_basis = "guess"
-)"});
-  result.references.push_back({"path.toml", R"(title = "path"
-kind = "computed"
-source = "a"
-obtained = "by hand"
-columns = ["load", "y"]
-rows = [[0.5, 2.0], [3, 4.0]]
-[[series]]
-name = "y"
-figure = "1"
-unit = "m"
-uncertainty = 0.1
-uncertainty_basis = "guess"
-)"});
+  result.references.push_back(computed("known", "mode", "f", "Hz", "[1, 2.0]"));
+  result.references.push_back(computed("path", "load", "y", "m", "[0.5, 2.0]"));
   result.references.push_back(MadeReference{"[0, 0], [1, 1]", "time.toml"}.text());
   return result;
 }
