@@ -131,7 +131,8 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
         std::find_if(uncertainty.series.begin(), uncertainty.series.end(), [&](const SeriesUncertainty& any) {
           return any.reference == spec.references[error.reference].name && any.column == error.column;
         });
-    if (error.given_run || series == uncertainty.series.end() || verdicts[k].status == VerdictStatus::not_run)
+    if (error.given_run || error.exact || series == uncertainty.series.end() ||
+        verdicts[k].status == VerdictStatus::not_run)
       continue;
     const std::string text = fmt::format(
         "; E = {:+.3g} {} with u_val {}{:.2g} {}: {}", series->error[series->greatest], series->unit,
