@@ -23,8 +23,7 @@ std::string number(const Json& json) {
 }
 
 std::string part_text(const Json& part) {
-  return text_of(part, "state") == "estimated" ? number(part.at("at_greatest_error"))
-                                               : text_of(part, "state");
+  return part.contains("at_greatest_error") ? number(part.at("at_greatest_error")) : text_of(part, "state");
 }
 
 data part_cells(const Json& series) {
@@ -32,10 +31,19 @@ data part_cells(const Json& series) {
   for (const Json& part : series.at("parts")) {
     data cell;
     cell["value"] = part_text(part);
-    cell["words"] = text_of(part, "state") != "estimated";
+    cell["words"] = !part.contains("at_greatest_error");
     cells.push_back(cell);
   }
   return cells;
+}
+
+/// What was found, what accounts for it, and what could not be.
+std::string finding_of(const Json& series) {
+  std::string text = text_of(series, "finding");
+  if (!text_of(series, "explanation").empty()) text += "; " + text_of(series, "explanation");
+  if (!text_of(series, "shared_model").empty())
+    text += "; what both leave out does not show: " + text_of(series, "shared_model");
+  return text;
 }
 
 data series_rows(const Json& uncertainty) {
@@ -55,7 +63,7 @@ data series_rows(const Json& uncertainty) {
     row["u"] = at_least + number(u);
     row["expanded"] = u.is_number() ? at_least + fmt::format("{:.2g}", k * u.get<double>()) : "not finite";
     row["share"] = fmt::format("{:.0f} %", 100 * series.at("share_within").get<double>());
-    row["finding"] = text_of(series, "finding");
+    row["finding"] = finding_of(series);
     rows.push_back(row);
   }
   return rows;
@@ -135,8 +143,9 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
         verdicts[k].status == VerdictStatus::not_run)
       continue;
     const std::string text = fmt::format(
-        "; E = {:+.3g} {} with u_val {}{:.2g} {}: {}", series->error[series->greatest], series->unit,
-        series->whole() ? "" : "≥ ", series->validation[series->greatest], series->unit, series->finding);
+        "; E = {:+.3g} {} with u_val {}{:.2g} {}: {}{}", series->error[series->greatest], series->unit,
+        series->whole() ? "" : "≥ ", series->validation[series->greatest], series->unit, series->finding,
+        series->explanation.empty() ? "" : "; " + series->explanation);
     verdicts[k].detail += text;
     verdicts[k].message += text;
   }

@@ -35,11 +35,12 @@ TEST(UncertaintyJson, IsReadBackAsItWas) {
 
 TEST(UncertaintySection, SaysEveryPartAndNeverANumberForOneThatIsNotEstimated) {
   const std::string page = uncertainty_on_page().html(uncertainty_json(made_uncertainty()), {});
-  expect_all_in(page, {"known: tip.y", ">-0.1<", ">0.003<", ">0.004<", ">≥ 0.005<", ">≥ 0.01<", "67 %",
-                       "model error between 0.09 and 0.11 m, or in wider bounds", "by &lt;meshes&gt;",
-                       "nobody knows", "not estimated", "no part", "standard deviation 25 %",
-                       "a &lt;sheet&gt;", "4 samples were asked for; 3 have a result, 1 failed",
-                       "cable.density = -1: refused", "other: tip.x: the run did not complete"});
+  expect_all_in(page,
+                {"known: tip.y", ">-0.1<", ">0.003<", ">0.004<", ">≥ 0.005<", ">≥ 0.01<", "67 %",
+                 "distinguishable at 1 of 3 times, at 1 s: model error between 0.09 and 0.11 m at 1 s",
+                 "by &lt;meshes&gt;", "nobody knows", "not estimated", "no part", "standard deviation 25 %",
+                 "a &lt;sheet&gt;", "4 samples were asked for; 3 have a result, 1 failed",
+                 "cable.density = -1: refused", "other: tip.x: the run did not complete"});
   EXPECT_EQ(page.find(">0<"), std::string::npos) << page;
   const std::string whole =
       uncertainty_on_page().html(uncertainty_json(made_uncertainty(PartState::no_part)), {});
@@ -52,8 +53,9 @@ TEST(VerdictUncertainty, TheTextOfAVerdictSaysErrorUncertaintyAndWhatFollows) {
                 without = evaluate(run, {});
   ASSERT_EQ(with.verdicts.size(), 1U);
   EXPECT_EQ(with.verdicts[0].message, without.verdicts[0].message +
-                                          "; E = -0.1 m with u_val ≥ 0.005 m: model error between 0.09 and "
-                                          "0.11 m, or in wider bounds: not every part is estimated");
+                                          "; E = -0.1 m with u_val ≥ 0.005 m: distinguishable at 1 of 3 "
+                                          "times, at 1 s: model error between 0.09 and 0.11 m at 1 s, or in "
+                                          "wider bounds: not every part is estimated");
   EXPECT_EQ(with.verdicts[0].status, without.verdicts[0].status) << "the criterion is the case's own";
 }
 
