@@ -6,6 +6,7 @@
 
 #include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/page/page_template.h"
+#include "report/study/uncertainty/uncertainty_figure.h"
 
 namespace plumb {
 
@@ -17,6 +18,7 @@ using kainjow::mustache::data;
 using Json = Document;
 
 constexpr const char* uncertainty_key = "uncertainty";
+constexpr const char* uncertainty_figures_key = "uncertainty_figures";
 
 std::string number(const Json& json) {
   return json.is_number() ? fmt::format("{:.2g}", json.get<double>()) : "not finite";
@@ -151,7 +153,7 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
   }
 }
 
-std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>&) {
+std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>& pictures) {
   const Json& sampling = uncertainty.at("sampling");
   data values;
   values["standard"] = text_of(uncertainty, "standard");
@@ -167,6 +169,7 @@ std::string uncertainty_html(const Document& uncertainty, const std::vector<Pict
   values["part_count"] = std::to_string(names.list_value().size());
   values.set("part_names", names);
   values.set("hows", how_rows(uncertainty));
+  values.set("pictures", picture_rows(pictures));
   values["has_inputs"] = !sampling.at("inputs").empty();
   values.set("inputs", input_rows(sampling));
   const int samples = sampling.at("samples").get<int>(), completed = sampling.at("completed").get<int>();
@@ -183,12 +186,17 @@ std::string uncertainty_html(const Document& uncertainty, const std::vector<Pict
 }  // namespace
 
 RunSection uncertainty_section(const Uncertainty& uncertainty, const Case& spec) {
-  return {
-      .key = uncertainty_key,
-      .json = uncertainty_json(uncertainty),
-      .judge = [uncertainty, spec](std::vector<Verdict>& verdicts, const std::vector<SeriesError>& errors) {
-        add_uncertainty(verdicts, errors, spec, uncertainty);
-      }};
+  const Figure figure = uncertainty_figure(uncertainty);
+  return {.key = uncertainty_key,
+          .json = uncertainty_json(uncertainty),
+          .figures_key = uncertainty_figures_key,
+          .drawing_stage = "uncertainty figure",
+          .figures =
+              [figure] { return figure.plot.panels.empty() ? std::vector<Figure>{} : std::vector{figure}; },
+          .judge =
+              [uncertainty, spec](std::vector<Verdict>& verdicts, const std::vector<SeriesError>& errors) {
+                add_uncertainty(verdicts, errors, spec, uncertainty);
+              }};
 }
 
 PageSection uncertainty_on_page() {
@@ -196,7 +204,8 @@ PageSection uncertainty_on_page() {
           .id = "uncertainty",
           .link = "Uncertainty",
           .title = "Uncertainty of the comparisons",
-          .html = uncertainty_html};
+          .html = uncertainty_html,
+          .figures_key = uncertainty_figures_key};
 }
 
 }  // namespace plumb

@@ -23,7 +23,8 @@ void expect_index_of(double p, double h, OfThree of) {
   EXPECT_NEAR(index.order, p, 1e-6) << "h " << h;
   ASSERT_EQ(index.values.size(), 21U);
   for (int k = 0; k <= 20; ++k)
-    EXPECT_NEAR(index.values[k], certain_factor * 0.3 * 0.1 * k * std::pow(h, p), 1e-7 * std::pow(h, p) + 1e-13)
+    EXPECT_NEAR(index.values[k], certain_factor * 0.3 * 0.1 * k * std::pow(h, p),
+                1e-7 * std::pow(h, p) + 1e-13)
         << "order " << p << ", time " << 0.1 * k;
 }
 

@@ -96,6 +96,28 @@ TEST(RunUncertainty, SamplingFindsTheSpreadOfALinearModel) {
   EXPECT_EQ(series.share_within, 1);
 }
 
+TEST(RunUncertainty, HasNoPartInWhatTheReferenceShares) {
+  const auto found = [](const std::string& shares) {
+    CaseSource source = falling(sampled);
+    source.references[0].text += "[shares]\n" + shares;
+    return run_uncertainty(run_of(source), InMemory());
+  };
+  const SeriesUncertainty mesh = found("elements = 4").series.at(0);
+  EXPECT_EQ(mesh.parts[0].state, PartState::no_part) << mesh.parts[0].how;
+  EXPECT_EQ(mesh.parts[3].state, PartState::estimated);
+  for (const char* other : {"elements = 8", "elements = 4\nstrain = \"engineering-material\""})
+    EXPECT_EQ(found(other).series.at(0).parts[0].state, PartState::estimated) << other;
+
+  const Uncertainty without_gravity = found("inputs = [\"loads.gravity.1\"]\nmodel = \"no air\"");
+  const UncertaintyPart& input = without_gravity.series.at(0).parts.at(3);
+  ASSERT_EQ(input.state, PartState::estimated) << input.how;
+  EXPECT_LT(input.values.back(), 1e-9) << "it falls alike with any density";
+  EXPECT_EQ(without_gravity.series[0].shared_model, "no air");
+  EXPECT_EQ(without_gravity.sampling.completed, 64);
+  EXPECT_EQ(found("inputs = [\"loads.gravity.1\", \"cable.density\"]").series.at(0).parts.at(3).state,
+            PartState::no_part);
+}
+
 TEST(RunUncertainty, IsTheSameForTheSameSeed) {
   const auto values = [](const std::string& seed) {
     std::string text = sampled;

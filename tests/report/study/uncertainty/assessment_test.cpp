@@ -8,6 +8,7 @@
 #include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/study/uncertainty/budget_figure.h"
 #include "report/study/uncertainty/budget_section.h"
+#include "report/study/uncertainty/uncertainty_figure.h"
 #include "report/study/uncertainty/uncertainty_section.h"
 #include "report/verdict/results.h"
 #include "tests/report/made_run.h"
@@ -45,6 +46,25 @@ TEST(UncertaintySection, SaysEveryPartAndNeverANumberForOneThatIsNotEstimated) {
   const std::string whole =
       uncertainty_on_page().html(uncertainty_json(made_uncertainty(PartState::no_part)), {});
   EXPECT_EQ(whole.find("≥"), std::string::npos) << "every part is known";
+}
+
+TEST(UncertaintyFigure, HasABandOfTwiceTheUncertaintyForEverySeriesWithManyTimes) {
+  Uncertainty made = made_uncertainty();
+  EXPECT_TRUE(uncertainty_figure(made).plot.panels.empty()) << "three times make no curve";
+  SeriesUncertainty& series = made.series[0];
+  for (UncertaintyPart& part : series.parts)
+    if (part.has_values()) part.values.assign(fewest_times_drawn, part.values.back());
+  series.times.clear();
+  for (std::size_t k = 0; k < fewest_times_drawn; ++k) series.times.push_back(static_cast<double>(k));
+  series.error.assign(fewest_times_drawn, 0.02);
+  conclude(series);
+  const Figure figure = uncertainty_figure(made);
+  const Panel& panel = figure.plot.panels.at(0);
+  EXPECT_NEAR(panel.series.at(0).band.upper.at(3), 0.01, 1e-15);
+  EXPECT_NEAR(panel.series[0].band.lower.at(3), -0.01, 1e-15);
+  EXPECT_EQ(panel.series[0].label, "± 2 u, at least");
+  EXPECT_EQ(panel.series.at(1).y, series.error);
+  EXPECT_NE(figure.alt.find("distinguishable at 8 of 8 times"), std::string::npos) << figure.alt;
 }
 
 TEST(VerdictUncertainty, TheTextOfAVerdictSaysErrorUncertaintyAndWhatFollows) {
