@@ -45,6 +45,20 @@ struct ExactSolution {
   std::string uncertainty_basis;  ///< what the uncertainty of its numbers rests on
 };
 
+/// What the computation behind figures has in common with a run: an error that is in both is not in their
+/// difference (ASME V&V 20-2009, correlated errors). What is not stated is not shared.
+struct SharedErrors {
+  std::optional<int> elements;                        ///< its mesh; a run on as many has the same error of it
+  StrainModel strain = StrainModel::green_geometric;  ///< of that mesh
+  QuadratureRule quadrature = QuadratureRule::full;   ///< of that mesh
+  std::vector<std::string> inputs;  ///< uncertain inputs of which it has the value that the case has
+  std::string model;                ///< what both models leave out, in words; may be empty
+
+  /// True for a cable on the same mesh with elements of the same kind.
+  bool has_mesh_of(const CableSpec& cable) const;
+  bool has_input(const std::string& key) const;
+};
+
 /// What is different in the model behind figures, so that a right run differs from them.
 struct OtherModel {
   std::vector<std::string> differences;  ///< one at least: "the beam shears"
@@ -70,6 +84,7 @@ struct Reference {
   ReferenceCable cable;
   std::optional<ExactSolution> exact;
   std::optional<OtherModel> model;
+  SharedErrors shares;
   Abscissa abscissa = Abscissa::time;
   /// s, strictly increasing, ≥ 0. Of modes their numbers; in the references of a case loads are the times at
   /// which the run has them.

@@ -143,6 +143,22 @@ void read_exact(TableReader table, const std::vector<ReferenceSeries*>& order, R
   reference.exact = std::move(exact);
 }
 
+SharedErrors read_shared_errors(TableReader table) {
+  SharedErrors shares;
+  constexpr int most_elements = 1'000'000, none = 0;
+  if (const int elements = table.whole("elements", 1, most_elements, none); elements != none)
+    shares.elements = elements;
+  shares.strain = table.choice<StrainModel>("strain", shares.strain);
+  shares.quadrature = table.choice<QuadratureRule>("quadrature", shares.quadrature);
+  shares.inputs = table.proses("inputs");
+  shares.model = table.optional_prose("model");
+  table.finish();
+  if (!shares.elements)
+    for (const char* key : {"strain", "quadrature"})
+      if (table.has(key)) table.refuse_value(key, "is of a mesh, whose number of elements is missing");
+  return shares;
+}
+
 /// [model]
 void read_other_model(TableReader table, const std::vector<ReferenceSeries*>& order, Reference& reference) {
   OtherModel model;
@@ -182,6 +198,7 @@ Reference read_reference(const NamedText& text) {
   reference.cable = read_cable_of(file.table("cable"));
   const bool has_exact = file.has("exact"), has_model = file.has("model");
   TableReader exact = file.table("exact"), model = file.table("model");
+  reference.shares = read_shared_errors(file.table("shares"));
   const std::vector<TableReader> series = file.tables("series");
   if (!file.has("series")) file.list("series", "a list of tables [[series]], one a column");
   const std::vector<TomlValue>& columns = file.list("columns", "the list of the columns' names, \"t\" first");

@@ -187,6 +187,30 @@ TEST(ReferenceFaults, BadExactFiguresAreRefusedWithTheirPlaceAndWhatIsAllowed) {
   });
 }
 
+TEST(ReferenceFaults, BadSharedErrorsAreRefusedWithTheirPlaceAndWhatIsAllowed) {
+  const std::string last = "uncertainty_basis = \"last digit\"", table = last + "\n[shares]\n";
+  expect_refused({
+      {last, table + "elements = 0",
+       "small_reference.toml:27:12: shares.elements = 0: must be a whole number from 1 to 1000000"},
+      {last, table + "elements = 4\nstrain = \"gren-geometric\"",
+       "small_reference.toml:28:10: shares.strain = \"gren-geometric\": must be \"green-geometric\" or "
+       "\"engineering-material\"; did you mean \"green-geometric\"?"},
+      {last, table + "strain = \"green-geometric\"",
+       "small_reference.toml:27:10: shares.strain = \"green-geometric\": is of a mesh, whose number of "
+       "elements is "
+       "missing"},
+      {last, table + "quadrature = \"full\"",
+       "small_reference.toml:27:14: shares.quadrature = \"full\": is of a mesh, whose number of elements is "
+       "missing"},
+      {last, table + "inputs = \"cable.density\"",
+       "small_reference.toml:27:10: shares.inputs = \"cable.density\": must be a list of strings, found a "
+       "string"},
+      {last, table + "mesh = 4",
+       "small_reference.toml:27:1: shares.mesh = 4: unknown key; known: elements, strain, quadrature, "
+       "inputs, model"},
+  });
+}
+
 TEST(ReferenceFaults, ABadModelIsRefusedWithItsPlaceAndWhatIsAllowed) {
   const std::string last = "uncertainty_basis = \"last digit\"", table = last + "\n[model]\n";
   expect_refused({
