@@ -51,6 +51,7 @@ std::string_view word(Norm value) {
 std::string_view unit(Quantity quantity) {
   switch (quantity) {
     case Quantity::position:
+    case Quantity::relative_position:
       return "m";
     case Quantity::velocity:
       return "m/s";
@@ -69,7 +70,8 @@ std::string_view unit(Quantity quantity) {
 }
 
 bool is_vector(Quantity quantity) {
-  return quantity == Quantity::position || quantity == Quantity::velocity || quantity == Quantity::slope;
+  return quantity == Quantity::position || quantity == Quantity::relative_position ||
+         quantity == Quantity::velocity || quantity == Quantity::slope;
 }
 
 std::vector<std::string> column_names(const ProbeSpec& probe) {

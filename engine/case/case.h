@@ -312,7 +312,16 @@ void visit_keys(SpecOf<TimeSpec> auto& time, auto&& visit) {
         time.output_interval);
 }
 
-enum class Quantity { position, velocity, slope, axial_strain, axial_force, curvature, bending_moment };
+enum class Quantity {
+  position,
+  relative_position,  ///< from the first end, in the frame that goes and turns with its support
+  velocity,
+  slope,
+  axial_strain,
+  axial_force,
+  curvature,
+  bending_moment
+};
 
 struct ProbeSpec {
   std::string name;  ///< unique; letters, digits, - and _, and not "t"
@@ -331,10 +340,10 @@ void visit_keys(SpecOf<ProbeSpec> auto& probe, auto&& visit) {
 
 enum class Norm { max, rms };
 
-/// One series of a reference beside one column of the probes.
+/// One series of a reference beside one column of the probes, or what is read off it (column_quantity.h).
 struct Comparison {
   std::string series;  ///< a column of the reference: "mid_y"
-  std::string column;  ///< a column of the probes: "mid.y"
+  std::string column;  ///< "mid.y", "greatest mid.y"
 
   friend bool operator==(const Comparison&, const Comparison&) = default;
 };

@@ -60,6 +60,7 @@ inline constexpr std::array words_of<LoadKind>{
 template <>
 inline constexpr std::array words_of<Quantity>{
     Word<Quantity>{Quantity::position, "position"},
+    Word<Quantity>{Quantity::relative_position, "relative-position"},
     Word<Quantity>{Quantity::velocity, "velocity"},
     Word<Quantity>{Quantity::slope, "slope"},
     Word<Quantity>{Quantity::axial_strain, "axial-strain"},

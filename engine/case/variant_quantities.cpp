@@ -16,11 +16,4 @@ std::span<const VariantQuantity> variant_quantities() {
   return all;
 }
 
-ColumnQuantity column_quantity(const std::string& quantity) {
-  for (const auto& [word, of] : {std::pair{std::string("greatest "), ColumnQuantity::Of::greatest},
-                                 std::pair{std::string("least "), ColumnQuantity::Of::least}})
-    if (quantity.starts_with(word)) return {of, quantity.substr(word.size())};
-  return {ColumnQuantity::Of::last, quantity};
-}
-
 }  // namespace plumb

@@ -10,6 +10,7 @@
 #include "engine/base/nearest.h"
 #include "engine/base/number_text.h"
 #include "engine/base/units.h"
+#include "engine/case/column_quantity.h"
 #include "engine/case/name_rule.h"
 #include "engine/case/probe_columns.h"
 #include "engine/read/case_sections.h"
@@ -255,7 +256,7 @@ void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
     };
     for (const ReferenceUse& use : spec.references)
       for (const Comparison& comparison : use.compare)
-        need(comparison.column, fmt::format("the reference {}", use.name), true);
+        need(column_quantity(comparison.column).column, fmt::format("the reference {}", use.name), true);
     for (const auto& [column, tolerance] : given.tolerances) need(column, "its tolerance", false);
     const bool reported = k == 0 && reports_given_run(spec);
     for (const FigureSpec& figure : spec.figures)

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "engine/base/nearest.h"
+#include "engine/case/column_quantity.h"
 #include "engine/case/name_rule.h"
 #include "engine/case/probe_columns.h"
 #include "engine/read/case_sections.h"
@@ -13,14 +14,19 @@ namespace plumb {
 namespace {
 
 /// `compare = { mid_y = "mid.y" }`, not yet held against the reference itself.
-std::vector<Comparison> read_comparisons(TableReader table, const ProbeColumns& columns) {
+std::vector<Comparison> read_comparisons(TableReader table, const ProbeColumns& columns, Abscissa own) {
   std::vector<Comparison> comparisons;
   std::unordered_map<std::string, std::string> series_of;
   for (const TomlValue& item : table.value().items) {
     const Comparison comparison{item.key, table.text_in(item, table.full_key(item.key))};
-    if (!columns.unit(comparison.column))
+    const ColumnQuantity quantity = column_quantity(comparison.column);
+    if (!columns.unit(quantity.column))
       table.refuse_value(item.key,
-                         "not a column of the probes" + suggestion(comparison.column, columns.names()));
+                         "not a column of the probes" + suggestion(quantity.column, columns.names()));
+    if (quantity.is_aggregate() && own != Abscissa::time)
+      table.refuse_value(item.key,
+                         fmt::format("is read off a motion over time; a run with this method has {}",
+                                     own == Abscissa::mode ? "modes" : "loads"));
     if (const auto [other, is_new] = series_of.emplace(comparison.column, comparison.series); !is_new)
       table.refuse_value(item.key, fmt::format("the column is compared with {} already", other->second));
     comparisons.push_back(comparison);
@@ -39,7 +45,7 @@ void check_series(const TableReader& compare, const ReferenceUse& use, const Ref
       refuse(item.key_place, compare.full_key(item.key), item.written,
              fmt::format("{} has no series \"{}\"{}", use.file, item.key, suggestion(item.key, names)));
     }
-    const std::string_view probed = columns.unit(comparison.column).value();
+    const std::string_view probed = unit(column_quantity(comparison.column), columns).value();
     if (series->unit != probed) {
       compare.refuse_value(comparison.series,
                            fmt::format("the unit must be that of the series, {}; that of the column is {}",
@@ -113,7 +119,7 @@ ReferencesRead read_references(std::vector<TableReader> tables, const std::strin
     table.finish();
 
     check_name(table, use.name, name_given, read.uses);
-    use.compare = read_comparisons(compare, columns);
+    use.compare = read_comparisons(compare, columns, own);
     if (use.compare.empty()) table.refuse_value("compare", "must name at least one series and its column");
 
     const FileText& file = files.text(use.file);

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "engine/base/nearest.h"
+#include "engine/case/column_quantity.h"
 #include "engine/case/probe_columns.h"
 #include "engine/case/variant_quantities.h"
 #include "engine/integrate/trajectory.h"
@@ -39,9 +40,9 @@ void check_quantity(const TableReader& table, const ExpectationSpec& expected, c
   known.insert(known.end(), columns.begin(), columns.end());
   table.refuse_value(
       "quantity",
-      fmt::format("must be {}, a column of the probes, or \"greatest\" or \"least\" before a column{}",
+      fmt::format("must be {}, a column of the probes, or one of these words before a column: {}{}",
                   fmt::join(known.begin(), known.begin() + std::ssize(variant_quantities()), ", "),
-                  suggestion(column, known)));
+                  aggregate_words(), suggestion(column, known)));
 }
 
 ExpectationSpec read_expectation(TableReader& table, const Case& spec) {

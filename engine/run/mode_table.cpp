@@ -67,7 +67,9 @@ ProbeTable mode_table(const Case& spec, const Trajectory& trajectory) {
     for (const ProbeSpec& spec_of : spec.probes)
       for (std::size_t part = 0; part < column_names(spec_of).size(); ++part, ++c) {
         const std::vector<double>& at = seen.columns[c - own].values;
-        const bool linear = spec_of.quantity == Quantity::position || spec_of.quantity == Quantity::slope;
+        const bool linear = spec_of.quantity == Quantity::position ||
+                            spec_of.quantity == Quantity::relative_position ||
+                            spec_of.quantity == Quantity::slope;
         table.columns[c].values.push_back(linear ? at[after + 2]
                                           : spec_of.quantity == Quantity::velocity
                                               ? at[after] / h

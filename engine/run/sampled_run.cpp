@@ -1,10 +1,13 @@
 #include "engine/run/sampled_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include "engine/case/column_quantity.h"
 #include "engine/integrate/method_info.h"
 #include "engine/run/probes.h"
 
@@ -63,7 +66,68 @@ SampledRun sample(const Source& source, const std::vector<double>& times) {
   return sampled;
 }
 
+std::vector<double> every_second(const std::vector<double>& all) {
+  std::vector<double> some;
+  for (std::size_t k = 0; k < all.size(); k += 2) some.push_back(all[k]);
+  return some;
+}
+
+void each_aggregate(const std::vector<Comparison>& compared, const ProbeTable& outputs, const auto& visit) {
+  for (const Comparison& pair : compared) {
+    const ColumnQuantity quantity = column_quantity(pair.column);
+    const Column* column = outputs.find(quantity.column);
+    if (quantity.is_aggregate() && column != nullptr) visit(pair.column, quantity.of, *column);
+  }
+}
+
+Column aggregate_column(const std::string& name, ColumnQuantity::Of of, const Column& column) {
+  return {
+      name, of == ColumnQuantity::Of::greatest || of == ColumnQuantity::Of::least ? column.unit : "s", {}};
+}
+
 }  // namespace
+
+ProbeTable compared_columns(const Case& spec, const Trajectory& trajectory,
+                            const std::vector<Comparison>& compared, const std::vector<double>& times) {
+  ProbeTable table = probe(spec, trajectory, times), outputs;
+  if (std::ranges::any_of(compared,
+                          [](const Comparison& pair) { return column_quantity(pair.column).is_aggregate(); }))
+    outputs = probe(spec, trajectory);
+  each_aggregate(compared, outputs,
+                 [&](const std::string& name, ColumnQuantity::Of of, const Column& column) {
+                   Column added = aggregate_column(name, of, column);
+                   for (const double t : times)
+                     added.values.push_back(column_number(of, outputs.times, column.values, t).value);
+                   table.columns.push_back(std::move(added));
+                 });
+  return table;
+}
+
+void add_aggregates(const std::vector<Comparison>& compared, const ProbeTable& outputs, SampledRun& sampled) {
+  const std::vector<double> fewer_times = every_second(outputs.times);
+  each_aggregate(
+      compared, outputs, [&](const std::string& name, ColumnQuantity::Of of, const Column& column) {
+        const std::vector<double> fewer = every_second(column.values);
+        Column values = aggregate_column(name, of, column), errors = values;
+        std::vector<std::string>& faults = sampled.faults[name];
+        for (const KnownTime& at : sampled.times) {
+          ColumnNumber number = column_number(of, outputs.times, column.values, at.time);
+          const double other = column_number(of, fewer_times, fewer, at.time).value;
+          const auto count = static_cast<std::size_t>(std::ranges::upper_bound(outputs.times, at.time) -
+                                                      outputs.times.begin());
+          const bool known = count >= fewest_outputs && std::isfinite(other);
+          if (number.fault.empty() && !known)
+            number.fault =
+                fmt::format("{} outputs up to {:.4g} s are too few to tell how good it is", count, at.time);
+          values.values.push_back(number.value);
+          errors.values.push_back(known ? std::abs(number.value - other)
+                                        : std::numeric_limits<double>::quiet_NaN());
+          faults.push_back(std::move(number.fault));
+        }
+        sampled.values.columns.push_back(std::move(values));
+        sampled.errors.columns.push_back(std::move(errors));
+      });
+}
 
 SampledRun sample(const Case& spec, const Trajectory& trajectory, const std::vector<double>& times) {
   SampledRun sampled = sample(

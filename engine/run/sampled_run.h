@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "engine/base/known_time.h"
@@ -20,6 +22,9 @@ struct SampledRun {
   ProbeTable errors;
   /// Outputs are equilibria, between which nothing is known: the errors there are not numbers.
   bool between_is_unknown = false;
+  /// Of what is read off a column up to each time, as "greatest tip.x": why there is no number, or no telling
+  /// how far it is off; empty where there is.
+  std::map<std::string, std::vector<std::string>> faults = {};
 };
 
 /// Samples a run of Plumb's own at times (s).
@@ -28,6 +33,16 @@ SampledRun sample(const GivenRun& given, const std::vector<double>& times);
 
 /// Takes modes by their numbers from a mode_table; between two there is nothing.
 SampledRun sample_modes(const ProbeTable& modes, const std::vector<double>& numbers);
+
+/// All that is compared of a run of Plumb's own at times (s) within it: the columns of its probes and what is
+/// read off them up to each time, as "greatest tip.x".
+ProbeTable compared_columns(const Case& spec, const Trajectory& trajectory,
+                            const std::vector<Comparison>& compared, const std::vector<double>& times);
+
+/// Adds what is read off columns of a run up to each time of its sample, with the difference that leaving out
+/// every second output makes for its error. `outputs` are all that the run has; a column that it lacks is
+/// left out.
+void add_aggregates(const std::vector<Comparison>& compared, const ProbeTable& outputs, SampledRun& sampled);
 
 /// The greatest share of a tolerance that an interpolation error may have in what is held against it.
 inline constexpr double bearable_share = 0.1;

@@ -29,9 +29,9 @@ fs::path cases_folder() {
   return {};
 }
 
-/// References are no cases.
+/// References, which lie in folders of their own, are no cases.
 bool is_case(const fs::path& relative) {
-  return relative.extension() == extension && *relative.begin() != "references";
+  return relative.extension() == extension && relative.parent_path().filename() != "references";
 }
 
 }  // namespace

@@ -27,7 +27,15 @@ std::string obstacle(const ComparedRun& run, std::size_t row, double t, const De
   const Column* errors = run.sampled.errors.find(demand.column);
   if (errors == nullptr) return fmt::format("{} has no column {}", run.name, demand.column);
   const double error = errors->values[row];
+  const auto faults = run.sampled.faults.find(demand.column);
+  if (faults != run.sampled.faults.end() && !faults->second[row].empty())
+    return fmt::format("{} of {}: {}", demand.column, run.name, faults->second[row]);
   if (bearable(error, demand.tolerance)) return "";
+  if (faults != run.sampled.faults.end())
+    return fmt::format(
+        "{} of {} is {:.2g} {} off up to {:.4g} s where every second output is left out, more than {:g} % of "
+        "the tolerance",
+        demand.column, run.name, error, demand.unit, t, 100 * bearable_share);
   const KnownTime& at = run.sampled.times[row];
   if (run.sampled.between_is_unknown)
     return fmt::format("{} has no output at t = {:.4g} s, and equilibria are not interpolated", run.name, t);

@@ -54,7 +54,8 @@ void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vecto
                   use.tolerance,
                   reference.abscissa == Abscissa::mode};
     const std::vector<double> claimed = demand.claimed_times();
-    const SampledRun sampled = sample_of(run, given_run, claimed);
+    SampledRun sampled = sample_of(run, given_run, claimed);
+    add_aggregates(use.compare, given_run ? probe(run.loaded.given_runs[*given_run]) : run.probes, sampled);
     for (const Comparison& pair : use.compare) {
       const ReferenceSeries& series = *reference.find(pair.series);
       SeriesError error;

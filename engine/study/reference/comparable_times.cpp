@@ -7,7 +7,8 @@
 namespace plumb {
 
 ComparableTimes comparable_times(const Run& run, const ReferenceUse& use, const Reference& reference) {
-  const SampledRun sampled = sample(run.loaded.spec, run.trajectory, reference.times);
+  SampledRun sampled = sample(run.loaded.spec, run.trajectory, reference.times);
+  add_aggregates(use.compare, run.probes, sampled);
   ComparableTimes comparable;
   for (std::size_t k = 0; k < sampled.times.size(); ++k) {
     const std::size_t row = sampled.rows[k];

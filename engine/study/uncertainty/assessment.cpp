@@ -11,6 +11,7 @@
 #include "engine/base/known_time.h"
 #include "engine/base/parse_json.h"
 #include "engine/base/place.h"
+#include "engine/run/sampled_run.h"
 #include "engine/study/uncertainty/budget_json.h"
 #include "engine/study/uncertainty/uncertainty_json.h"
 
@@ -43,7 +44,8 @@ void check_series(const SeriesUncertainty& series, const Run& run) {
   }
   // What is stored repeats to the last digit, but for another processor's rounding.
   constexpr double rounding = 1e-9;
-  const std::vector<double> seen = probe(spec, run.trajectory, series.times).find(series.column)->values;
+  const std::vector<double> seen =
+      compared_columns(spec, run.trajectory, use->compare, series.times).find(series.column)->values;
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (std::abs(seen[k] - data[k] - series.error[k]) > rounding * (1 + std::abs(seen[k])))
       refuse_other_run(fmt::format("{} differs from the reference by {:.6g} at {} s, and there by {:.6g}",

@@ -48,7 +48,8 @@ std::vector<double> within(const std::vector<double>& times, double end) {
   return result;
 }
 
-Computed compute(const Case& spec, const std::vector<double>& reference_times, double interval) {
+Computed compute(const Case& spec, const std::vector<Comparison>& compared,
+                 const std::vector<double>& reference_times, double interval) {
   Computed computed;
   const Trajectory trajectory = integrate(spec, {}, longest_run_of_budget);
   BudgetRun& run = computed.run;
@@ -56,8 +57,9 @@ Computed compute(const Case& spec, const std::vector<double>& reference_times, d
   run.message = trajectory.message;
   run.seconds = trajectory.solve_seconds;
   if (!run.completed()) return computed;
-  computed.at_reference = probe(spec, trajectory, within(reference_times, trajectory.times.back()));
-  if (interval > 0) computed.sampled = probe(spec, trajectory);
+  computed.at_reference =
+      compared_columns(spec, trajectory, compared, within(reference_times, trajectory.times.back()));
+  if (interval > 0) computed.sampled = compared_columns(spec, trajectory, compared, trajectory.times);
   return computed;
 }
 
@@ -159,7 +161,7 @@ ErrorBudget run_budget(const LoadedCase& loaded, Runner& runner) {
   std::vector<StudyPoint<Computed>> points;
   for (const Computed& planned : all)
     points.push_back({fmt::format("run {}", points.size()),
-                      [&] { return compute(planned.spec, reference.times, spec.interval); },
+                      [&] { return compute(planned.spec, use->compare, reference.times, spec.interval); },
                       1.0 * planned.spec.cable.elements});
   std::vector<Computed> made = runner.run("error budget", points);
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -42,8 +42,9 @@ Seen see(const PlannedRun& planned, const std::vector<std::vector<double>>& time
   const Trajectory trajectory = integrate(planned.spec, {}, longest_run);
   if (trajectory.outcome != Outcome::completed) return {{}, trajectory.message};
   Seen seen;
-  for (const std::vector<double>& at : times)
-    seen.at_references.push_back(probe(planned.spec, trajectory, at));
+  for (std::size_t r = 0; r < times.size(); ++r)
+    seen.at_references.push_back(
+        compared_columns(planned.spec, trajectory, planned.spec.references[r].compare, times[r]));
   return seen;
 }
 
@@ -237,7 +238,8 @@ Uncertainty run_uncertainty(const Run& run, Runner& runner, const ErrorBudget* b
         result.left_out.push_back(fmt::format("{}: {}: {}", use.name, pair.column, why_not));
       continue;
     }
-    const SampledRun seen = sample(spec, run.trajectory, times[r]);
+    SampledRun seen = sample(spec, run.trajectory, times[r]);
+    add_aggregates(use.compare, run.probes, seen);
     for (const Comparison& pair : use.compare) {
       const std::vector<double>& own = seen.values.find(pair.column)->values;
       const ReferenceSeries& data = *reference.find(pair.series);

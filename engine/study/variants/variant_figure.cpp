@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "engine/base/dense.h"
-#include "engine/case/probe_columns.h"
+#include "engine/case/column_quantity.h"
 #include "engine/case/variant_quantities.h"
+#include "engine/integrate/method_info.h"
 
 namespace plumb {
 namespace {
@@ -73,22 +74,16 @@ double of_run(const ExpectationSpec& expected, const VariantResult& variant,
   const ColumnQuantity quantity = column_quantity(what);
   const Column* column = variant.probes.find(quantity.column);
   if (column == nullptr || column->values.empty() || any_is_not_a_number(column->values)) return none;
-  switch (quantity.of) {
-    case ColumnQuantity::Of::greatest:
-      return *std::max_element(column->values.begin(), column->values.end());
-    case ColumnQuantity::Of::least:
-      return *std::min_element(column->values.begin(), column->values.end());
-    case ColumnQuantity::Of::last:
-      break;
-  }
-  return column->values.back();
+  const MethodInfo* method = find_method(variant.run.method.name);
+  const std::vector<double>& times = variant.probes.times;
+  return column_number(quantity.of, times, column->values, times.back(), method != nullptr && method->dynamic)
+      .value;
 }
 
 std::string unit_of(const ExpectationSpec& expected, const Case& run) {
   for (const VariantQuantity& quantity : variant_quantities())
     if (quantity.name == expected.quantity) return std::string(quantity.unit);
-  const ProbeSpec* probe = probe_of(column_quantity(expected.quantity).column, run.probes);
-  return probe != nullptr ? std::string(unit(probe->quantity)) : "";
+  return std::string(unit(column_quantity(expected.quantity), ProbeColumns(run.probes)).value_or(""));
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ TEST(ProbeColumns, OfAVectorAreThreeAndOfAScalarOne) {
 
 TEST(ProbeColumns, EachHaveTheUnitOfTheirQuantity) {
   EXPECT_EQ(unit(Quantity::position), "m");
+  EXPECT_EQ(unit(Quantity::relative_position), "m");
   EXPECT_EQ(unit(Quantity::velocity), "m/s");
   EXPECT_EQ(unit(Quantity::slope), "1");
   EXPECT_EQ(unit(Quantity::axial_strain), "1");

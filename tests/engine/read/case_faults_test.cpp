@@ -440,7 +440,8 @@ TEST(CaseFaults, ABadProbeIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"name = \"mid\"", "name = \"\"", "case.toml:32:8: probe.0.name = \"\": must not be empty: a name"},
       {"name = \"mid\"", "name = \"t\"", "case.toml:32:8: probe.0.name = \"t\": is the name of the time"},
       {"\"axial-force\"", "\"axial-forces\"",
-       "case.toml:38:12: probe.1.quantity = \"axial-forces\": must be \"position\", \"velocity\", \"slope\", "
+       "case.toml:38:12: probe.1.quantity = \"axial-forces\": must be \"position\", \"relative-position\", "
+       "\"velocity\", \"slope\", "
        "\"axial-strain\", \"axial-force\", \"curvature\" or \"bending-moment\"; did you mean "
        "\"axial-force\"?"},
   });
@@ -463,6 +464,13 @@ TEST(CaseFaults, ABadUseOfAReferenceIsRefusedWithItsPlaceAndWhatIsAllowed) {
       {"mid_y = \"mid.y\"", "mid_y = \"mid.w\"",
        "case.toml:42:21: reference.0.compare.mid_y = \"mid.w\": not a column of the probes; did you mean "
        "\"mid.x\"?"},
+      {"mid_y = \"mid.y\"", "mid_y = \"greatest mid.w\"",
+       "case.toml:42:21: reference.0.compare.mid_y = \"greatest mid.w\": not a column of the probes; did you "
+       "mean \"mid.x\"?"},
+      {"mid_y = \"mid.y\"", "mid_y = \"period mid.y\"",
+       "case.toml:42:21: reference.0.compare.mid_y = \"period mid.y\": the unit must be that of the series, "
+       "m; "
+       "that of the column is s"},
       {"mid_y = \"mid.y\"", "mid_y = \"pull\"",
        "case.toml:42:37: reference.0.compare.force = \"pull\": the column is compared with mid_y already"},
       {"force = \"pull\"", "force = \"mid.y\"",

@@ -83,6 +83,9 @@ TEST(ModeKeys, ReferenceOverWhatTheRunDoesNotHaveIsRefused) {
       "= \"p.y\" }\ntolerance = 1\n";
   EXPECT_NE(refusal(source(of_times)).find("its first column is \"t\""), std::string::npos)
       << refusal(source(of_times));
+  EXPECT_NE(refusal(source(of_times, {"reference.0.compare={ y = \"greatest p.y\" }"}))
+                .find("is read off a motion over time; a run with this method has modes"),
+            std::string::npos);
   const std::vector<std::string> moving{"method.name=rk4", "method.step=0.01", "time.end=1",
                                         "time.output_interval=0.5"};
   EXPECT_EQ(refusal(source(of_times, moving)), "accepted");

@@ -75,12 +75,15 @@ TEST(CommandLineTexts, OtherShellsAreRefusedByName) {
 
 TEST(InstalledCases, AreFoundByNameFromAnywhere) {
   TemporaryFolder folder;
-  for (const char* name : {"pendulum", "failure/slack_cable"}) {
+  for (const char* name : {"pendulum", "failure/slack_cable", "shelf/elastica"}) {
     const Ended ended = plumb_in(folder.path(), {"check", name});
     EXPECT_EQ(ended.status, 0) << ended.err;
     EXPECT_NE(ended.out.find(std::string("cases/") + name + ".toml is valid"), std::string::npos)
         << ended.out;
   }
+  const std::string all = plumb_in(folder.path(), {"--cases"}).out;
+  EXPECT_NE(all.find("shelf/elastica\n"), std::string::npos) << all;
+  EXPECT_EQ(all.find("references"), std::string::npos) << "they are no cases: " << all;
 }
 
 TEST(InstalledCases, GiveWayToAFileOfThatName) {

@@ -115,6 +115,33 @@ TEST(Coverage, OfAGoodRunIsAllOfTheReferenceAndIsSaidInNumbers) {
   EXPECT_EQ(good.coverage.longest_gap, 0.125);
 }
 
+/// A vibration of 2 s about 1 m, of which something is read off.
+Given read_off(const std::string& quantity, const std::string& reference_rows, double interval = 0.05) {
+  return {.run = rows(every(interval, static_cast<int>(5 / interval) + 1),
+                      [](double t) { return 1 + std::cos(3.14159265358979 * t); }),
+          .reference_rows = reference_rows,
+          .overrides = {"reference.0.compare={ x = \"" + quantity + "\" }"}};
+}
+
+TEST(Coverage, OfWhatIsReadOffAColumnIsUpToEachTimeOfTheReference) {
+  const Judged greatest = judged(read_off("greatest tip.x", "[3.1, 2], [4.9, 2]"));
+  EXPECT_EQ(greatest.status, VerdictStatus::passed) << greatest.message;
+  const Judged least = judged(read_off("least tip.x", "[0.5, 1], [2, 0]"));
+  EXPECT_EQ(least.status, VerdictStatus::passed) << least.message;
+  EXPECT_LT(least.value, 1e-4) << "0.5 s is before the least of all";
+}
+
+TEST(Coverage, OfWhatIsReadOffAColumnNeedsOutputsThatBearIt) {
+  const Judged coarse = judged(read_off("greatest tip.x", "[4.9, 2]", 0.35));
+  EXPECT_EQ(coarse.status, VerdictStatus::not_run) << coarse.message;
+  EXPECT_NE(coarse.message.find("where every second output is left out, more than 10 % of the tolerance"),
+            std::string::npos)
+      << coarse.message;
+  const Judged few = judged(read_off("greatest tip.x", "[0.3, 2]"));
+  EXPECT_NE(few.message.find("greatest tip.x of g: 7 outputs up to 0.3 s are too few"), std::string::npos)
+      << few.message;
+}
+
 TEST(Coverage, TooLittleOfARunIsNotRunAndSaysWhy) {
   std::vector<double> hole{0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 1.6, 1.7, 1.8, 1.9, 2};
   std::vector<double> late = every(0.1, 21), alternating;

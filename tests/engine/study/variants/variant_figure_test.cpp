@@ -58,6 +58,9 @@ TEST(VariantFigure, IsReadOffTheRunWithItsUnit) {
   EXPECT_EQ(found("tip.x", variant).unit, "m");
   EXPECT_EQ(found("greatest tip.x", variant).found, 3);
   EXPECT_EQ(found("least tip.y", variant).found, -0.25);
+  EXPECT_EQ(found("time of least tip.y", variant).found, 0.5);
+  EXPECT_EQ(found("time of least tip.y", variant).unit, "s");
+  EXPECT_TRUE(std::isnan(found("period tip.x", variant).found)) << "it does not come back";
 }
 
 TEST(VariantFigure, DistanceIsThatOfTheSameNodeAtTheSameTime) {
