@@ -50,6 +50,11 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
 
 }  // namespace
 
+std::string class_of_status(std::string status) {
+  std::replace(status.begin(), status.end(), ' ', '-');
+  return status;
+}
+
 std::string verdict_html(const std::vector<Verdict>& verdicts) {
   data values;
   values["verdicts"] = verdict_rows(verdicts);

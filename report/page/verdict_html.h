@@ -7,6 +7,9 @@
 
 namespace plumb {
 
+/// What the style of the pages calls a status of a verdict: "passed", "not-run", "another-model".
+std::string class_of_status(std::string status);
+
 /// Verdicts as a table of a page, those that failed first.
 std::string verdict_html(const std::vector<Verdict>& verdicts);
 

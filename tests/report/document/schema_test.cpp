@@ -75,9 +75,11 @@ std::map<std::string, Json> made_documents() {
   Stages stages;
   stages.add("solving", 0.5);
   all["run"] = Json::parse(to_json(document_of(evaluate(run_with("made"), stages), {})));
+  History history{{history_entry(all["run"]), entry_without_report("gone", {}, "crashed")}, {}};
+  all["run"][history_key] = {{"file", "h.jsonl"}, {"runs", history.entries}};
   Picture picture;
   picture.file = "figures/shared_tip.x.png";
-  all["index"] = Json::parse(to_json(index_of({{"made", all["run"]}, {"gone", nullptr}}, {picture})));
+  all["index"] = Json::parse(to_json(index_of({indexed("made", all["run"]), {"gone"}}, {picture}, 2, history)));
   return all;
 }
 
