@@ -79,7 +79,8 @@ std::map<std::string, Json> made_documents() {
   all["run"][history_key] = {{"file", "h.jsonl"}, {"runs", history.entries}};
   Picture picture;
   picture.file = "figures/shared_tip.x.png";
-  all["index"] = Json::parse(to_json(index_of({indexed("made", all["run"]), {"gone"}}, {picture}, 2, history)));
+  all["index"] =
+      Json::parse(to_json(index_of({indexed("made", all["run"]), {"gone"}}, {picture}, 2, history)));
   return all;
 }
 
@@ -152,7 +153,8 @@ bool is_table_of_names(const std::string& place) {
 }
 
 bool may_be_missing(const std::string& place, const std::string& key) {
-  static const std::set<std::string> optional{"step", "rtol", "atol", "from", "mesh", check_sum_key};
+  static const std::set<std::string> optional{"step",        "rtol",    "atol",    "from", "mesh",
+                                              check_sum_key, "at_once", "history", "fault"};
   if (place.empty() && key == "kind") return true;  // without it an index is a study of none
   if (key == "coverage" || (place == "case" && key == "method")) return true;
   return (optional.contains(key) && !place.starts_with("stability.energies")) ||
