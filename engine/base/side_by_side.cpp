@@ -79,7 +79,9 @@ class OwnProcess {
   /// To wait at; -1 once it closed its end.
   int file() const { return open_ ? file_ : -1; }
 
-  void stop() const { ::kill(pid_, SIGTERM); }
+  void stop() const {
+    if (pid_ > 0) ::kill(pid_, SIGTERM);
+  }
 
   /// Takes in what it says.
   void listen() {
@@ -98,12 +100,15 @@ class OwnProcess {
   }
 
   bool has_ended() {
+    if (pid_ <= 0) return true;
     int status = 0;
     const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
     if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
     pid_ = -1;
     listen();
-    if (WIFSIGNALED(status))
+    if (ended < 0)
+      end_.fault = "ended unseen";
+    else if (WIFSIGNALED(status))
       end_.fault = fmt::format("crashed (signal {})", WTERMSIG(status));
     else if (WEXITSTATUS(status) == not_started)
       end_.fault = "could not be started";
@@ -185,8 +190,10 @@ void run_side_by_side(const std::vector<OwnRun>& runs, double memory,
           ++process;
           continue;
         }
-        take(process->run(), process->end());
+        const std::size_t run = process->run();
+        const OwnRunEnd end = process->end();
         process = processes.erase(process);
+        take(run, end);
       }
     }
   } catch (...) {

@@ -61,7 +61,7 @@ std::vector<std::pair<double, std::string>> ticks_of(const PlacedAxis& placed, d
   std::vector<std::pair<double, std::string>> all;
   for (std::size_t k = 0; k < ticks.major.size(); ++k) {
     std::string label = with_superscripts(ticks.labels[k]);
-    if (ticks.exponent != 0 && !label.empty())
+    if (ticks.exponent != 0 && !label.empty() && ticks.major[k] != 0)
       label += with_superscripts(fmt::format("·10^{{{}}}", ticks.exponent));
     all.emplace_back(ticks.major[k], label);
   }

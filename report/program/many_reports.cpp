@@ -24,8 +24,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* default_folder = "output";
-
 /// In pixels: of many, all are to have room on a page.
 int thumbnail_width(std::size_t among) {
   return among > 120 ? 104 : 160;
@@ -100,7 +98,7 @@ ExitStatus write_index(std::vector<IndexedReport> reports, std::size_t at_once, 
 }
 
 ExitStatus index_many(const std::vector<std::string>& folders, const Options& options, Console& console) {
-  const std::string folder = options.output.empty() ? default_folder : options.output;
+  const std::string folder = options.output.empty() ? default_index_folder : options.output;
   if (!options.history.empty()) check_history(options.history, console);
   std::vector<IndexedReport> reports;
   std::vector<Document> entries;

@@ -19,6 +19,9 @@ ExitStatus run_many(const CaseList& cases, const Options& options, Console& cons
 /// Writes the index over reports that are there into the folder of -o (default: output).
 ExitStatus index_many(const std::vector<std::string>& folders, const Options& options, Console& console);
 
+/// Where an index goes without -o.
+inline constexpr const char* default_index_folder = "output";
+
 /// What an index may touch: all that is not of an index stays.
 FolderUse use_of_index(Console& console);
 

@@ -112,8 +112,10 @@ std::vector<Planned> planned(const CaseList& cases, const std::string& folder, c
                              Console& console, ExitStatus& worst) {
   std::vector<Planned> all;
   std::map<std::string, std::string> names;
+  std::set<std::string> said;
   const auto fault = [&](const std::exception& error, ExitStatus status) {
-    console.error(error.what());
+    // One of the command line is the same for all.
+    if (said.insert(error.what()).second) console.error(error.what());
     worst = std::max(worst, status);
   };
   for (const std::string& path : cases.paths) {
@@ -200,8 +202,9 @@ ExitStatus status_of_case(const OwnRunEnd& end) {
 
 ExitStatus run_many(const CaseList& list, const Options& options, Console& console) {
   refuse_options_for_one_case(options);
-  const std::string folder =
-      !options.output.empty() ? options.output : (fs::path("output") / list.folder).string();
+  const std::string folder = !options.output.empty() ? options.output
+                             : list.folder.empty()   ? std::string(default_index_folder)
+                                                   : (fs::path(default_index_folder) / list.folder).string();
   if (!options.history.empty()) check_history(options.history, console);
   ExitStatus worst = ExitStatus::done;
   const std::vector<Planned> cases = planned(list, folder, options, console, worst);
