@@ -191,7 +191,7 @@ data statistics_rows(const Document& index) {
     row["kind"] = text_in(one, "kind");
     row["class"] = class_of_status(text_in(one, "kind"));
     for (const char* key : {"comparisons", "left_out"}) row[key] = std::to_string(one.at(key).get<long>());
-    row["bias"] = one.at("bias").is_number() ? fmt::format("{:.5g}", one.at("bias").get<double>()) : "–";
+    row["bias"] = one.at("bias").is_number() ? fmt::format("{:.7g}", one.at("bias").get<double>()) : "–";
     row["spread"] = share_in_words(one.at("spread"));
     row["reference_spread"] = (one.at("reference_spread_is_bound").get<bool>() ? "≤ " : "") +
                               share_in_words(one.at("reference_spread"));
@@ -200,6 +200,7 @@ data statistics_rows(const Document& index) {
   return rows;
 }
 
+/// A mark for a pair of a comparison; `which` is "greatest" or "farthest".
 SvgMark mark_of(const Document& comparison, const char* which) {
   const Document& pair = comparison.at(which);
   const std::string kind = text_in(comparison, "kind"), unit = text_in(comparison, "unit"),
@@ -210,28 +211,33 @@ SvgMark mark_of(const Document& comparison, const char* which) {
   mark.y = std::abs(predicted);
   mark.css = class_of_status(kind);
   mark.hollow = std::string_view(which) == "farthest";
-  mark.title =
-      fmt::format("{}: {}\n{} {} for {}\n{}{}", folder, text_in(comparison, "name"), "predicted",
-                  with_unit(predicted, unit), with_unit(reference, unit), kind,
-                  mark.hollow ? ", where they are farthest apart" : ", where the reference is greatest");
+  mark.title = fmt::format(
+      "{}: {}\npredicted {} for {}, {:.2g} % off\n{}{}", folder, text_in(comparison, "name"),
+      with_unit(predicted, unit), with_unit(reference, unit), 100 * std::abs(predicted / reference - 1), kind,
+      mark.hollow ? ", where they are farthest apart" : ", where the reference is greatest");
   mark.data = fmt::format("data-case=\"{}\" data-kind=\"{}\"", escape_xml(folder), escape_xml(kind));
-  // Of both marks one leads there: it is enough for who goes by the keyboard.
+  // Of several marks one leads there: it is enough for who goes by the keyboard.
   if (!mark.hollow) mark.link = link_to(folder);
   return mark;
+}
+
+/// Marks of all pairs that have a ratio, the farthest below the others.
+std::vector<SvgMark> marks_of(const Document& comparisons) {
+  std::vector<SvgMark> marks;
+  for (const char* which : {"farthest", "greatest"})
+    for (const Document& comparison : comparisons)
+      if (has_ratio(comparison.at(which).at("reference"), comparison.at(which).at("predicted")))
+        marks.push_back(mark_of(comparison, which));
+  return marks;
 }
 
 std::string scatter_of(const Document& index) {
   SvgChart chart;
   chart.width = 560;
   chart.height = 480;
+  chart.marks = marks_of(index.at("comparisons"));
   std::vector<double> values;
-  for (const char* which : {"farthest", "greatest"})
-    for (const Document& comparison : index.at("comparisons")) {
-      const Document& pair = comparison.at(which);
-      if (!has_ratio(pair.at("reference"), pair.at("predicted"))) continue;
-      chart.marks.push_back(mark_of(comparison, which));
-      values.insert(values.end(), {chart.marks.back().x, chart.marks.back().y});
-    }
+  for (const SvgMark& mark : chart.marks) values.insert(values.end(), {mark.x, mark.y});
   chart.x = fitted_axis(values, true, "reference, in the unit of each");
   chart.y = chart.x;
   chart.y.label = "predicted, in the same unit";
@@ -252,6 +258,27 @@ std::string scatter_of(const Document& index) {
     for (const double factor : {bias * (1 + 2 * spread), bias * (1 - 2 * spread)})
       if (factor > 0) add(factor, "band" + of);
   }
+  return to_svg(chart);
+}
+
+/// How far the predictions are off, as shares, which tells what the scatter is too coarse for. Those that are
+/// not off at all have no place on it.
+std::string shares_of(const Document& index) {
+  SvgChart chart;
+  chart.width = 560;
+  chart.height = 300;
+  std::vector<double> references, shares;
+  for (SvgMark& mark : marks_of(index.at("comparisons"))) {
+    mark.y = std::abs(mark.y / mark.x - 1);
+    mark.link.clear();
+    references.push_back(mark.x);
+    shares.push_back(mark.y);
+    chart.marks.push_back(std::move(mark));
+  }
+  chart.x = fitted_axis(references, true, "reference, in the unit of each");
+  chart.y = fitted_axis(shares, true, "off by, of the reference");
+  chart.alt = fmt::format("How far {} values that were predicted are off, as shares of their references.",
+                          chart.marks.size());
   return to_svg(chart);
 }
 
@@ -309,7 +336,10 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   page["at_once"] =
       index.value("at_once", 0) > 1 ? data(std::to_string(index["at_once"].get<long>())) : data(false);
   page["has_comparisons"] = !index.at("statistics").empty();
-  if (!index.at("statistics").empty()) page["scatter"] = scatter_of(index);
+  if (!index.at("statistics").empty()) {
+    page["scatter"] = scatter_of(index);
+    page["shares"] = shares_of(index);
+  }
   page.set("statistics", statistics_rows(index));
   const data kinds = kind_rows(index);
   page["has_verdicts"] = kinds.is_non_empty_list();
