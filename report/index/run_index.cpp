@@ -110,7 +110,8 @@ std::string headline(const Document& entries) {
   for (const Document& one : entries)
     if (is_bad(one) && named++ < most_named) names += (names.empty() ? "" : ", ") + text(one, "folder");
   if (failed > most_named) names += fmt::format(" and {} more", failed - most_named);
-  return fmt::format("{} of {} reports do not meet all of their criteria: {}.", failed, all, names);
+  return fmt::format("{} of {} reports {} not meet all of {} criteria: {}.", failed, all,
+                     failed == 1 ? "does" : "do", failed == 1 ? "its" : "their", names);
 }
 
 }  // namespace

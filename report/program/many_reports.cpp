@@ -105,8 +105,9 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
   FolderUse use = use_of_index(console);
   for (const std::string& path : folders) {
     std::error_code ignored;
-    const fs::path own =
-        fs::is_regular_file(path, ignored) ? fs::absolute(path).parent_path() : fs::path(path);
+    const fs::path own = fs::is_regular_file(path, ignored) ? fs::absolute(path).parent_path()
+                         : fs::path(path).has_filename()    ? fs::path(path)
+                                                            : fs::path(path).parent_path();
     const fs::path seen =
         fs::absolute(own).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
     const std::string file = (own / "results.json").string();
@@ -118,6 +119,7 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     if (!options.history.empty()) entries.push_back(history_entry(document));
   }
   OutputFolder index(folder, use);
+  if (!options.history.empty()) refuse_to_overwrite("--history", options.history, use.reads, index.path());
   for (const Document& entry : entries) append_history(options.history, entry);
   return write_index(std::move(reports), 0, index, options, console);
 }

@@ -211,6 +211,7 @@ ExitStatus run_many(const CaseList& list, const Options& options, Console& conso
   if (worst != ExitStatus::done) return worst;
   refuse_beyond_together(cases, folder, options);
   OutputFolder index(folder, use_of_index(console));
+  if (!options.history.empty()) refuse_to_overwrite("--history", options.history, {}, index.path());
 
   std::vector<std::size_t> order(cases.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
