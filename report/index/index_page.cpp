@@ -29,6 +29,8 @@ using kainjow::mustache::data;
 
 constexpr std::size_t most_thumbnail_bytes = 2'200'000;  // of a page, as data URIs
 constexpr std::size_t most_histories = 60;
+/// Of more reports, tables are laid out only as they are scrolled to.
+constexpr std::size_t many_reports = 60;
 /// Those that are read first.
 constexpr std::array statuses{"failed", "not run", "another model", "passed"};
 
@@ -212,8 +214,8 @@ SvgMark mark_of(const Document& comparison, const char* which) {
   mark.css = class_of_status(kind);
   mark.hollow = std::string_view(which) == "farthest";
   mark.title = fmt::format(
-      "{}: {}\npredicted {} for {}, {:.2g} % off\n{}{}", folder, text_in(comparison, "name"),
-      with_unit(predicted, unit), with_unit(reference, unit), 100 * std::abs(predicted / reference - 1), kind,
+      "{}: {}\npredicted {} for {}\n{}{}", folder, text_in(comparison, "name"), with_unit(predicted, unit),
+      with_unit(reference, unit), 100 * std::abs(predicted / reference - 1), kind,
       mark.hollow ? ", where they are farthest apart" : ", where the reference is greatest");
   mark.data = fmt::format("data-case=\"{}\" data-kind=\"{}\"", escape_xml(folder), escape_xml(kind));
   // Of several marks one leads there: it is enough for who goes by the keyboard.
@@ -221,13 +223,15 @@ SvgMark mark_of(const Document& comparison, const char* which) {
   return mark;
 }
 
-/// Marks of all pairs that have a ratio, the farthest below the others.
+/// Marks of all pairs that have a ratio, the farthest, where they are others, below the rest.
 std::vector<SvgMark> marks_of(const Document& comparisons) {
   std::vector<SvgMark> marks;
   for (const char* which : {"farthest", "greatest"})
-    for (const Document& comparison : comparisons)
-      if (has_ratio(comparison.at(which).at("reference"), comparison.at(which).at("predicted")))
+    for (const Document& comparison : comparisons) {
+      const Document &pair = comparison.at(which), &greatest = comparison.at("greatest");
+      if (has_ratio(pair.at("reference"), pair.at("predicted")) && (&pair == &greatest || pair != greatest))
         marks.push_back(mark_of(comparison, which));
+    }
   return marks;
 }
 
@@ -271,6 +275,9 @@ std::string shares_of(const Document& index) {
   for (SvgMark& mark : marks_of(index.at("comparisons"))) {
     mark.y = std::abs(mark.y / mark.x - 1);
     mark.link.clear();
+    // The rest is said by the same mark of the scatter.
+    mark.title.resize(mark.title.find('\n'));
+    mark.title += fmt::format("\n{:.2g} % off", 100 * mark.y);
     references.push_back(mark.x);
     shares.push_back(mark.y);
     chart.marks.push_back(std::move(mark));
@@ -317,6 +324,7 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
     return [state](const Document& report) { return report.at("state") == state; };
   };
   const Document& list = index.at("reports");
+  page["many"] = count > many_reports;
   page["mood"] = index.at("all_criteria_met").get<bool>() ? "good"
                  : std::any_of(list.begin(), list.end(), is_state("failed to run")) ||
                          std::any_of(list.begin(), list.end(), is_state("failed")) ||

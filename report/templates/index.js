@@ -4,6 +4,7 @@
   const { make } = plumb;
   const all = (selector) => [...document.querySelectorAll(selector)];
   const low = (node) => node.textContent.toLowerCase();
+  const tally = (found, shown) => `${found} of ${reports.length} reports, ${shown} of ${rows.length} verdicts`;
   const rows = all(".verdict-group tr[data-status]").map((row) => (
     { row, name: row.dataset.case, kind: row.closest(".verdict-group").dataset.kind, status: row.dataset.status, text: low(row) }));
   const reports = all("#reports tr[data-case]").map((row) => ({ name: row.dataset.case, state: row.dataset.state, text: low(row) }));
@@ -44,16 +45,16 @@
     for (const node of followers) node.hidden = !found.has(node.dataset.case);
     for (const mark of marks) {
       const visible = found.has(mark.dataset.case) && (kind.select.value === "" || mark.dataset.kind === kind.select.value);
-      mark.toggleAttribute("visibility", !visible);
-      if (!visible) mark.setAttribute("visibility", "hidden");
+      if (visible) mark.removeAttribute("visibility");
+      else mark.setAttribute("visibility", "hidden");
     }
     for (const group of groups) group.hidden = ![...group.querySelectorAll("tr[data-status]")].some((row) => !row.hidden);
-    said.textContent = `${found.size} of ${reports.length} reports, ${shown} of ${rows.length} verdicts`;
+    said.textContent = tally(found.size, shown);
   };
   for (const node of [kind.select, status.select]) node.addEventListener("change", show);
   input.addEventListener("input", show);
   const bar = make("div", { className: "filter-bar screen" }, input, kind.node, status.node, said);
   bar.setAttribute("role", "search");
   document.querySelector("#strip").before(bar);
-  show();
+  said.textContent = tally(reports.length, rows.length);
 })();
