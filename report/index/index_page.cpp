@@ -1,17 +1,38 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "render/image/png_file.h"
+#include "report/base/escape.h"
+#include "report/index/comparisons.h"
 #include "report/index/run_index.h"
+#include "report/page/history_html.h"
 #include "report/page/page_scripts.h"
 #include "report/page/page_template.h"
+#include "report/page/svg_chart.h"
+#include "report/page/verdict_groups.h"
 #include "report/page/verdict_html.h"
 
 namespace plumb {
 
-extern const std::string_view index_mustache;
+extern const std::string_view index_mustache, index_css;
+extern const std::string_view report_js, report_js_sha256, downloads_js, downloads_js_sha256;
+extern const std::string_view tables_js, tables_js_sha256, index_js, index_js_sha256;
 
 namespace {
 
 using kainjow::mustache::data;
+
+constexpr std::size_t most_thumbnail_bytes = 2'200'000;  // of a page, as data URIs
+constexpr std::size_t most_histories = 60;
+/// Of more reports, tables are laid out only as they are scrolled to.
+constexpr std::size_t many_reports = 60;
+/// Those that are read first.
+constexpr std::array statuses{"failed", "not run", "another model", "passed"};
 
 /// A path as the target of a link: what is not plain is escaped by percent signs.
 std::string link_to(const std::string& path) {
@@ -22,40 +43,326 @@ std::string link_to(const std::string& path) {
                        c == '-' || c == '_' || c == '.' || c == '/' || c == '~';
     link += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
-  return link;
+  return link + "/index.html";
 }
 
-data report_row(const Document& report) {
-  const auto text = [&](const char* key) { return report.at(key).get<std::string>(); };
-  const auto number = [&](const char* key) { return std::to_string(report.at(key).get<long>()); };
-  const bool met = report.at("all_criteria_met").get<bool>();
-  const bool failed = !report.at("complete").get<bool>() || report.at("failed").get<long>() > 0;
+std::string text_in(const Document& object, const char* key) {
+  return object.at(key).get<std::string>();
+}
+
+double number_in(const Document& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// What marks an element as one of a report.
+void set_report(data& row, const Document& report) {
+  row["folder"] = text_in(report, "folder");
+  row["link"] = link_to(text_in(report, "folder"));
+  row["state"] = text_in(report, "state");
+  row["class"] = class_of_status(text_in(report, "state"));
+}
+
+/// The thumbnails of the reports by their folders, as far as a page has room for them.
+class Thumbnails {
+ public:
+  explicit Thumbnails(const std::vector<IndexedReport>& reports) {
+    for (const IndexedReport& report : reports) pictures_[report.folder] = &report.thumbnail;
+  }
+
+  void set(data& row, const std::string& folder) {
+    const auto found = pictures_.find(folder);
+    row["thumbnail"] = false;
+    if (found == pictures_.end() || found->second->empty()) return;
+    const std::string uri = data_uri(*found->second);
+    if (used_ + uri.size() > most_thumbnail_bytes) return;
+    used_ += uri.size();
+    const PngFile file = read_png_file(*found->second, folder);
+    row["thumbnail"] = uri;
+    row["thumbnail_width"] = std::to_string(file.width);
+    row["thumbnail_height"] = std::to_string(file.height);
+  }
+
+ private:
+  std::map<std::string, const std::string*> pictures_;
+  std::size_t used_ = 0;
+};
+
+data report_row(const Document& report, Thumbnails& thumbnails) {
   data row;
-  for (const char* key : {"folder", "title", "headline", "outcome", "method"}) row[key] = text(key);
-  for (const char* key : {"criteria", "failed", "not_run", "elements"}) row[key] = number(key);
-  const double seconds = report.at("solve_seconds").get<double>();
-  row["seconds"] = seconds < 0 ? "not run" : fmt::format("{:.3g} s", seconds);
-  row["link"] = link_to(text("folder")) + "/index.html";
-  row["class"] = failed ? "failed" : met ? "passed" : "not-run";
-  row["has_verdicts"] = !report.at("verdicts").empty();
-  row["verdicts"] = verdict_html(verdicts_of(report));
+  set_report(row, report);
+  row["method"] = text_in(report, "method");
+  for (const char* key : {"criteria", "failed", "not_run", "elements", "exit_status"})
+    row[key] = std::to_string(report.at(key).get<long>());
+  row["short"] = text_in(report, "outcome") + ": " + text_in(report, "outcome_reason");
+  const double seconds = number_in(report.at("solve_seconds"));
+  row["seconds"] = seconds >= 0 ? fmt::format("{:.3g} s", seconds) : "not run";
+  thumbnails.set(row, text_in(report, "folder"));
   return row;
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
+}
+
+data verdict_row(const Document& verdict, const Document& report) {
+  data row;
+  set_report(row, report);
+  const std::string status = text_in(verdict, "status"), unit = text_in(verdict, "unit");
+  const double value = number_in(verdict.at("value")), limit = number_in(verdict.at("limit"));
+  row["status"] = status;
+  row["class"] = class_of_status(status);
+  for (const char* key : {"name", "criterion", "detail"}) row[key] = text_in(verdict, key);
+  row["found"] = status == "not run"    ? "not run"
+                 : std::isfinite(value) ? with_unit(value, unit)
+                                        : std::string("not finite");
+  // Where nothing at all is allowed, or nothing is judged, there is no share of it.
+  row["share"] = status == "not run" || status == "another model" || !(limit > 0) || !std::isfinite(value)
+                     ? "–"
+                     : fmt::format("{:.3g} %", 100 * value / limit);
+  return row;
+}
+
+/// "2 failed, 30 passed"
+std::string in_words(const std::map<std::string, long>& counts) {
+  std::string words;
+  for (const char* status : statuses)
+    if (const auto found = counts.find(status); found != counts.end())
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", found->second, status);
+  return words;
+}
+
+/// The verdicts of all reports by kind, within one those that failed first and then by report.
+data kind_rows(const Document& index) {
+  data rows{data::type::list};
+  for (const KindText& text : kind_texts) {
+    std::map<std::string, long> counts;
+    data verdicts{data::type::list};
+    const std::string kind(word(text.kind));
+    for (const Document& report : index.at("reports"))
+      for (const Document& verdict : report.at("verdicts"))
+        if (verdict.at("kind") == kind) ++counts[text_in(verdict, "status")];
+    for (const char* status : statuses)
+      for (const Document& report : index.at("reports"))
+        for (const Document& verdict : report.at("verdicts"))
+          if (verdict.at("kind") == kind && verdict.at("status") == status)
+            verdicts.push_back(verdict_row(verdict, report));
+    if (counts.empty()) continue;
+    data row;
+    row["kind"] = kind;
+    row["title"] = text.title;
+    row["evidence"] = text.evidence;
+    row["counts"] = in_words(counts);
+    row.set("verdicts", verdicts);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// "14 failed" and the like, of criteria, and the reports of which nothing is claimed.
+data count_rows(const Document& index) {
+  std::map<std::string, long> counts;
+  long unheld = 0;
+  for (const Document& report : index.at("reports")) {
+    for (const Document& verdict : report.at("verdicts")) ++counts[text_in(verdict, "status")];
+    unheld += report.at("state") == "not held against anything" ? 1 : 0;
+  }
+  data rows{data::type::list};
+  const auto add = [&](long count, const std::string& word, const std::string& css) {
+    data row;
+    row["count"] = std::to_string(count);
+    row["word"] = word;
+    row["class"] = css;
+    rows.push_back(row);
+  };
+  for (const char* status : statuses)
+    if (counts.contains(status)) add(counts[status], status, class_of_status(status));
+  if (unheld > 0)
+    add(unheld, unheld == 1 ? "report not held against anything" : "reports not held against anything",
+        "not-held-against-anything");
+  return rows;
+}
+
+std::string share_in_words(const Document& value) {
+  return value.is_number() ? fmt::format("{:.3g} %", 100 * value.get<double>()) : "–";
+}
+
+data statistics_rows(const Document& index) {
+  data rows{data::type::list};
+  for (const Document& one : index.at("statistics")) {
+    data row;
+    row["kind"] = text_in(one, "kind");
+    row["class"] = class_of_status(text_in(one, "kind"));
+    for (const char* key : {"comparisons", "left_out"}) row[key] = std::to_string(one.at(key).get<long>());
+    row["bias"] = one.at("bias").is_number() ? fmt::format("{:.7g}", one.at("bias").get<double>()) : "–";
+    row["spread"] = share_in_words(one.at("spread"));
+    row["reference_spread"] = (one.at("reference_spread_is_bound").get<bool>() ? "≤ " : "") +
+                              share_in_words(one.at("reference_spread"));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// A mark for a pair of a comparison; `which` is "greatest" or "farthest".
+SvgMark mark_of(const Document& comparison, const char* which) {
+  const Document& pair = comparison.at(which);
+  const std::string kind = text_in(comparison, "kind"), unit = text_in(comparison, "unit"),
+                    folder = text_in(comparison, "folder");
+  const double reference = number_in(pair.at("reference")), predicted = number_in(pair.at("predicted"));
+  SvgMark mark;
+  mark.x = std::abs(reference);
+  mark.y = std::abs(predicted);
+  mark.css = class_of_status(kind);
+  mark.hollow = std::string_view(which) == "farthest";
+  mark.title = fmt::format(
+      "{}: {}\npredicted {} for {}\n{}{}", folder, text_in(comparison, "name"), with_unit(predicted, unit),
+      with_unit(reference, unit), 100 * std::abs(predicted / reference - 1), kind,
+      mark.hollow ? ", where they are farthest apart" : ", where the reference is greatest");
+  mark.data = fmt::format("data-case=\"{}\" data-kind=\"{}\"", escape_xml(folder), escape_xml(kind));
+  // Of several marks one leads there: it is enough for who goes by the keyboard.
+  if (!mark.hollow) mark.link = link_to(folder);
+  return mark;
+}
+
+/// Marks of all pairs that have a ratio, the farthest, where they are others, below the rest.
+std::vector<SvgMark> marks_of(const Document& comparisons) {
+  std::vector<SvgMark> marks;
+  for (const char* which : {"farthest", "greatest"})
+    for (const Document& comparison : comparisons) {
+      const Document &pair = comparison.at(which), &greatest = comparison.at("greatest");
+      if (has_ratio(pair.at("reference"), pair.at("predicted")) && (&pair == &greatest || pair != greatest))
+        marks.push_back(mark_of(comparison, which));
+    }
+  return marks;
+}
+
+std::string scatter_of(const Document& index) {
+  SvgChart chart;
+  chart.width = 560;
+  chart.height = 480;
+  chart.marks = marks_of(index.at("comparisons"));
+  std::vector<double> values;
+  for (const SvgMark& mark : chart.marks) values.insert(values.end(), {mark.x, mark.y});
+  chart.x = fitted_axis(values, true, "reference, in the unit of each");
+  chart.y = chart.x;
+  chart.y.label = "predicted, in the same unit";
+  chart.alt = fmt::format("Scatter of {} values that were predicted over those of their references.",
+                          chart.marks.size());
+  const double from = chart.x.from, to = chart.x.to;
+  // y = factor · x as far as it is within the frame.
+  const auto add = [&](double factor, const std::string& css) {
+    const double begin = std::max(from, from / factor), end = std::min(to, to / factor);
+    if (begin < end) chart.lines.push_back({{{begin, factor * begin}, {end, factor * end}}, css});
+  };
+  add(1, "same");
+  for (const Document& one : index.at("statistics")) {
+    if (!one.at("spread").is_number()) continue;
+    const std::string of = " of-" + class_of_status(text_in(one, "kind"));
+    const double bias = one.at("bias").get<double>(), spread = one.at("spread").get<double>();
+    add(bias, "bias" + of);
+    for (const double factor : {bias * (1 + 2 * spread), bias * (1 - 2 * spread)})
+      if (factor > 0) add(factor, "band" + of);
+  }
+  return to_svg(chart);
+}
+
+/// How far the predictions are off, as shares, which tells what the scatter is too coarse for. Those that are
+/// not off at all have no place on it.
+std::string shares_of(const Document& index) {
+  SvgChart chart;
+  chart.width = 560;
+  chart.height = 300;
+  std::vector<double> references, shares;
+  for (SvgMark& mark : marks_of(index.at("comparisons"))) {
+    mark.y = std::abs(mark.y / mark.x - 1);
+    mark.link.clear();
+    // The rest is said by the same mark of the scatter.
+    mark.title.resize(mark.title.find('\n'));
+    mark.title += fmt::format("\n{:.2g} % off", 100 * mark.y);
+    references.push_back(mark.x);
+    shares.push_back(mark.y);
+    chart.marks.push_back(std::move(mark));
+  }
+  chart.x = fitted_axis(references, true, "reference, in the unit of each");
+  chart.y = fitted_axis(shares, true, "off by, of the reference");
+  chart.alt = fmt::format("How far {} values that were predicted are off, as shares of their references.",
+                          chart.marks.size());
+  return to_svg(chart);
+}
+
+void set_history(data& page, const Document& index) {
+  data rows{data::type::list};
+  std::size_t shown = 0, left_out = 0;
+  for (const Document& report : index.at("reports")) {
+    if (!report.contains(history_key) || report.at(history_key).empty()) continue;
+    if (shown == most_histories) {
+      ++left_out;
+      continue;
+    }
+    const std::string charts = history_in_small(report.at(history_key));
+    if (charts.empty()) continue;
+    ++shown;
+    data row;
+    row["folder"] = text_in(report, "folder");
+    row["charts"] = charts;
+    rows.push_back(row);
+  }
+  page["has_history"] = shown > 0;
+  page["history_left_out"] = left_out > 0 ? data(std::to_string(left_out)) : data(false);
+  page.set("history", rows);
 }
 
 }  // namespace
 
-std::string index_page(const Document& index, const std::vector<Picture>& figures) {
-  data page;
-  page["count"] = std::to_string(index.at("reports").size());
-  page["headline"] = index.at("headline").get<std::string>();
-  page["good"] = index.at("all_criteria_met").get<bool>();
-  data reports{data::type::list};
-  for (const Document& report : index.at("reports")) reports.push_back(report_row(report));
+std::string index_page(const Document& index, const std::vector<Picture>& figures,
+                       const std::vector<IndexedReport>& all) {
+  data page, reports{data::type::list}, unheld{data::type::list};
+  const std::size_t count = index.at("reports").size();
+  const std::string cases = fmt::format("{} report{}", count, count == 1 ? "" : "s");
+  page["cases"] = cases;
+  page["headline"] = text_in(index, "headline");
+  const auto is_state = [&](const char* state) {
+    return [state](const Document& report) { return report.at("state") == state; };
+  };
+  const Document& list = index.at("reports");
+  page["many"] = count > many_reports;
+  page["mood"] = index.at("all_criteria_met").get<bool>() ? "good"
+                 : std::any_of(list.begin(), list.end(), is_state("failed to run")) ||
+                         std::any_of(list.begin(), list.end(), is_state("failed")) ||
+                         std::any_of(list.begin(), list.end(), is_state("not run"))
+                     ? "bad"
+                     : "plain";
+  page.set("counts", count_rows(index));
+  Thumbnails thumbnails(all);
+  for (const Document& report : list) {
+    reports.push_back(report_row(report, thumbnails));
+    if (report.at("state") != "not held against anything") continue;
+    data row;
+    set_report(row, report);
+    unheld.push_back(row);
+  }
   page.set("reports", reports);
+  page["at_once"] =
+      index.value("at_once", 0) > 1 ? data(std::to_string(index["at_once"].get<long>())) : data(false);
+  page["has_comparisons"] = !index.at("statistics").empty();
+  if (!index.at("statistics").empty()) {
+    page["scatter"] = scatter_of(index);
+    page["shares"] = shares_of(index);
+  }
+  page.set("statistics", statistics_rows(index));
+  const data kinds = kind_rows(index);
+  page["has_verdicts"] = kinds.is_non_empty_list();
+  page.set("kinds", kinds);
+  page["has_unheld"] = unheld.is_non_empty_list();
+  page.set("unheld", unheld);
+  set_history(page, index);
   page["has_figures"] = !figures.empty();
   page.set("figures", picture_rows(figures));
-  return html_page(fmt::format("{} Plumb reports", index.at("reports").size()), "",
-                   fill_in(index_mustache, page));
+  const std::vector<PageScript> scripts{{report_js, report_js_sha256},
+                                        {downloads_js, downloads_js_sha256},
+                                        {tables_js, tables_js_sha256},
+                                        {index_js, index_js_sha256}};
+  return html_page(cases + " of Plumb", std::string(history_css).append(index_css),
+                   fill_in(index_mustache, page), scripts, data_element("page-data", R"({"figures":[]})"));
 }
 
 }  // namespace plumb

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
 
 #include "report/base/escape.h"
 #include "report/document/junit_suites.h"
-#include "report/page/verdict_html.h"
+#include "report/index/comparisons.h"
 
 namespace plumb {
 namespace {
@@ -21,18 +21,46 @@ long count(const Document& verdicts, const char* status) {
                        [&](const Document& verdict) { return verdict.at("status") == status; });
 }
 
+constexpr const char *failed_to_run = "failed to run", *nothing = "not held against anything",
+                     *another_model = "another model";
+
+/// In one word or some what is to be thought of a report: how it failed to run, else what its verdicts say.
+std::string state_of(const Document& document) {
+  if (document.is_null() || !document.at("complete").get<bool>()) return failed_to_run;
+  const Document& verdicts = document.at("verdicts");
+  for (const char* status : {"failed", "not run"})
+    if (count(verdicts, status) > 0) return status;
+  return count(verdicts, "passed") > 0 ? "passed" : verdicts.empty() ? nothing : another_model;
+}
+
+/// What failed comes first, then what was not run, and last what nothing was said of.
+int rank(const Document& entry) {
+  static constexpr std::array order{failed_to_run, "failed", "not run", "passed", another_model, nothing};
+  const auto* const found = std::find(order.begin(), order.end(), entry.at("state"));
+  return static_cast<int>(found - order.begin());
+}
+
+bool is_bad(const Document& entry) {
+  return rank(entry) < 3;
+}
+
 /// A run that ended before there was anything to report.
-Document entry_without_report(const std::string& folder) {
-  return {{"folder", folder},
+Document entry_of_none(const IndexedReport& report) {
+  return {{"folder", report.folder},
+          {"state", failed_to_run},
           {"case", ""},
-          {"title", folder},
-          {"headline", "The run left no report."},
+          {"title", report.folder},
+          {"headline", report.fault.empty() ? "The run left no report."
+                                            : fmt::format("The run left no report: {}.", report.fault)},
           {"outcome", "not run"},
+          {"outcome_reason", report.fault.empty() ? "the run left no report" : report.fault},
+          {"exit_status", report.exit_status},
           {"complete", false},
           {"all_criteria_met", false},
           {"criteria", 0},
           {"failed", 0},
           {"not_run", 0},
+          {"another_model", 0},
           {"method", ""},
           {"elements", -1},
           {"solve_seconds", -1},
@@ -40,49 +68,50 @@ Document entry_without_report(const std::string& folder) {
 }
 
 Document entry(const IndexedReport& report) {
-  if (report.document.is_null()) return entry_without_report(report.folder);
-  const Document &document = report.document, &solve = document.at("solve");
-  const long failed = count(document.at("verdicts"), "failed"),
-             not_run = count(document.at("verdicts"), "not run");
+  if (report.document.is_null()) return entry_of_none(report);
+  const Document &document = report.document, &solve = document.at("solve"),
+                 &verdicts = document.at("verdicts");
   return {{"folder", report.folder},
+          {"state", state_of(document)},
           {"case", document.at("case").at("file")},
           {"title", document.at("title")},
           {"headline", document.at("headline")},
           {"outcome", document.at("outcome")},
+          {"outcome_reason", document.at("outcome_reason")},
+          {"exit_status", report.exit_status},
           {"complete", document.at("complete")},
           {"all_criteria_met", document.at("all_criteria_met")},
-          {"criteria", document.at("verdicts").size()},
-          {"failed", failed},
-          {"not_run", not_run},
+          {"criteria", verdicts.size()},
+          {"failed", count(verdicts, "failed")},
+          {"not_run", count(verdicts, "not run")},
+          {"another_model", count(verdicts, another_model)},
           {"method", solve.at("method")},
           {"elements", solve.at("elements")},
           {"solve_seconds", solve.at("solve_seconds")},
-          {"verdicts", document.at("verdicts")}};
-}
-
-/// What failed comes first, then what was not run.
-int rank(const Document& entry) {
-  if (!entry.at("complete").get<bool>()) return 0;
-  if (entry.at("failed").get<long>() > 0) return 1;
-  return entry.at("all_criteria_met").get<bool>() || entry.at("criteria").get<long>() == 0 ? 3 : 2;
+          {"verdicts", verdicts}};
 }
 
 std::string headline(const Document& entries) {
+  constexpr long most_named = 8;
   const auto all = std::ssize(entries);
-  const auto failed =
-      std::count_if(entries.begin(), entries.end(), [](const Document& one) { return rank(one) < 3; });
-  const auto none = std::count_if(entries.begin(), entries.end(),
-                                  [](const Document& one) { return one.at("criteria").get<long>() == 0; });
+  const auto failed = std::count_if(entries.begin(), entries.end(), is_bad);
+  const auto none =
+      std::count_if(entries.begin(), entries.end(), [](const Document& one) { return rank(one) > 3; });
   if (failed == 0 && none == all)
-    return fmt::format("None of {} reports names a criterion, so nothing is claimed.", all);
+    return fmt::format("None of {} reports has a criterion that was judged, so nothing is claimed.", all);
   if (failed == 0)
     return none == 0 ? fmt::format("All criteria of all {} reports are met.", all)
-                     : fmt::format("All criteria of {} of {} reports are met; the others name none.",
-                                   all - none, all);
+                     : fmt::format(
+                           "All criteria of {} of {} reports are met; the others are held against "
+                           "nothing that judges them.",
+                           all - none, all);
   std::string names;
+  long named = 0;
   for (const Document& one : entries)
-    if (rank(one) < 3) names += (names.empty() ? "" : ", ") + text(one, "folder");
-  return fmt::format("{} of {} reports do not meet all of their criteria: {}.", failed, all, names);
+    if (is_bad(one) && named++ < most_named) names += (names.empty() ? "" : ", ") + text(one, "folder");
+  if (failed > most_named) names += fmt::format(" and {} more", failed - most_named);
+  return fmt::format("{} of {} reports {} not meet all of {} criteria: {}.", failed, all,
+                     failed == 1 ? "does" : "do", failed == 1 ? "its" : "their", names);
 }
 
 }  // namespace
@@ -118,7 +147,7 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
       series.dash = panel.series.size() % 2 == 0 ? Dash::solid : Dash::dashed;
       panel.series.push_back(std::move(series));
     }
-    if (panel.series.size() < 2) continue;
+    if (panel.series.size() < 2 || panel.series.size() > most_shared_lines) continue;
     Figure figure;
     figure.name = "shared_" + name;
     figure.title = fmt::format("{} of {} runs", name, panel.series.size());
@@ -133,9 +162,32 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
   return figures;
 }
 
-Document index_of(const std::vector<IndexedReport>& reports, const std::vector<Picture>& figures) {
+IndexedReport indexed(const std::string& folder, const Document& document) {
+  IndexedReport report{folder, document};
+  report.document["comparisons"] = comparisons_of(document, folder);
+  std::vector<std::string> heavy{"errors", "energy", "animation", "given_runs", history_key};
+  for (const auto& [key, value] : document.items())
+    if (is_figures_key(key)) heavy.push_back(key);
+  for (const std::string& key : heavy) report.document.erase(key);
+  report.document["case"].erase("text");
+  return report;
+}
+
+Document index_of(const std::vector<IndexedReport>& reports, const std::vector<Picture>& figures,
+                  std::size_t at_once, const History& history) {
   std::vector<Document> entries;
-  for (const IndexedReport& report : reports) entries.push_back(entry(report));
+  Document comparisons = Document::array();
+  for (const IndexedReport& report : reports) {
+    Document one = entry(report);
+    if (!report.document.is_null())
+      for (const Document& comparison : report.document.at("comparisons")) comparisons.push_back(comparison);
+    if (!history.entries.empty())
+      one[history_key] =
+          of_same_case(history, report.document.is_null()
+                                    ? Document{{"case", report.folder}, {"overrides", Document::array()}}
+                                    : history_entry(report.document));
+    entries.push_back(std::move(one));
+  }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Document& a, const Document& b) { return rank(a) < rank(b); });
   Document index;
@@ -143,13 +195,15 @@ Document index_of(const std::vector<IndexedReport>& reports, const std::vector<P
   index["kind"] = "index";
   index["headline"] = headline(Document(entries));
   const auto met = [](const Document& one) { return one.at("all_criteria_met").get<bool>(); };
-  index["all_criteria_met"] =
-      std::any_of(entries.begin(), entries.end(), met) &&
-      std::all_of(entries.begin(), entries.end(), [](const Document& one) { return rank(one) == 3; });
+  index["all_criteria_met"] = std::any_of(entries.begin(), entries.end(), met) &&
+                              std::none_of(entries.begin(), entries.end(), is_bad);
+  if (at_once > 0) index["at_once"] = at_once;
   index["reports"] = entries;
-  index["figures"] = Document::array();
+  index["statistics"] = statistics_of(comparisons);
+  index["comparisons"] = std::move(comparisons);
+  index[figures_key] = Document::array();
   for (const Picture& figure : figures)
-    index["figures"].push_back({{"file", figure.file}, {"title", figure.title}, {"alt", figure.alt}});
+    index[figures_key].push_back({{"file", figure.file}, {"title", figure.title}, {"alt", figure.alt}});
   return index;
 }
 
@@ -157,8 +211,10 @@ std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports) 
   std::vector<JunitSuite> all;
   for (const IndexedReport& report : reports) {
     if (report.document.is_null()) {
-      all.push_back({report.folder + ".integration",
-                     {{"integration", VerdictStatus::failed, "the run left no report"}}});
+      all.push_back(
+          {report.folder + ".integration",
+           {{"integration", VerdictStatus::failed,
+             report.fault.empty() ? "the run left no report" : "the run left no report: " + report.fault}}});
       continue;
     }
     for (JunitSuite& suite : suites_of(report.document)) {
@@ -178,8 +234,8 @@ std::string index_summary(const Document& index) {
   for (const Document& one : index.at("reports")) {
     const std::string row =
         fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(text(one, "folder")),
-                    rank(one) == 3 ? escape_markdown(text(one, "outcome"))
-                                   : fmt::format("**{}**", escape_markdown(text(one, "outcome"))),
+                    is_bad(one) ? fmt::format("**{}**", escape_markdown(text(one, "outcome")))
+                                : escape_markdown(text(one, rank(one) > 3 ? "state" : "outcome")),
                     one.at("criteria").get<long>(), one.at("failed").get<long>(),
                     one.at("not_run").get<long>(), escape_markdown(text(one, "headline")));
     if (summary.size() + row.size() > size_limit)
@@ -188,6 +244,12 @@ std::string index_summary(const Document& index) {
       summary += row;
   }
   if (left_out > 0) summary += fmt::format("\n{} more reports are in results.json.\n", left_out);
+  for (const Document& one : index.at("statistics"))
+    if (one.at("spread").is_number())
+      summary += fmt::format("\n{}: bias {:.4g}, spread {:.2g} over {} comparisons.\n",
+                             escape_markdown(text(one, "kind")), one.at("bias").get<double>(),
+                             one.at("spread").get<double>(),
+                             one.at("comparisons").get<long>() - one.at("left_out").get<long>());
   return summary;
 }
 

@@ -14,17 +14,7 @@ namespace plumb {
 
 extern const std::string_view verdict_groups_mustache;
 
-namespace {
-
-using kainjow::mustache::data;
-
-struct KindText {
-  VerdictKind kind;
-  const char* title;
-  const char* evidence;
-};
-
-constexpr std::array kind_texts{
+const std::array<KindText, 4> kind_texts{
     KindText{VerdictKind::validation, "Validation",
              "Held against published figures: does the model describe what was published? No closer than the "
              "uncertainty of those figures."},
@@ -37,6 +27,10 @@ constexpr std::array kind_texts{
         "Held against Plumb's own earlier output: has anything moved? An error that stays the same passes."},
     KindText{VerdictKind::performance, "Performance",
              "Work against error: what does an answer cost? It does not make the answer right."}};
+
+namespace {
+
+using kainjow::mustache::data;
 
 /// Shares and counts have the unit 1, which is not written.
 std::string with_unit(double value, const std::string& unit) {
@@ -56,7 +50,7 @@ std::string margin(const Verdict& verdict) {
 data row_of(const Verdict& verdict) {
   data row;
   row["status"] = std::string(word(verdict.status));
-  row["class"] = class_of(verdict.status);
+  row["class"] = class_of_status(std::string(word(verdict.status)));
   row["name"] = verdict.name;
   row["criterion"] = verdict.criterion;
   row["found"] =

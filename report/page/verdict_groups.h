@@ -1,11 +1,20 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "report/verdict/verdict.h"
 
 namespace plumb {
+
+/// What a kind of verdicts is called, and what it can tell.
+struct KindText {
+  VerdictKind kind;
+  const char* title;
+  const char* evidence;
+};
+extern const std::array<KindText, 4> kind_texts;
 
 /// Verdicts for the page of a run, each kind of evidence apart with what it can tell: kinds and verdicts that
 /// failed first, then what was not run. `command` is what makes them again.

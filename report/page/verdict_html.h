@@ -7,8 +7,8 @@
 
 namespace plumb {
 
-/// The class of a status in style sheets: "passed", "not-run".
-std::string class_of(VerdictStatus status);
+/// What the style of the pages calls a status of a verdict: "passed", "not-run", "another-model".
+std::string class_of_status(std::string status);
 
 /// Verdicts as a table of a page, those that failed first.
 std::string verdict_html(const std::vector<Verdict>& verdicts);

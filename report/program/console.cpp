@@ -34,6 +34,11 @@ void Console::remark(const std::string& text) {
   std::fputs(("plumb: note: " + one_line(text) + "\n").c_str(), stderr);
 }
 
+void Console::error(const std::string& text) {
+  end_progress();
+  std::fputs(("plumb: " + one_line(text) + "\n").c_str(), stderr);
+}
+
 void Console::progress(const std::string& what, double share) {
   const int percent = static_cast<int>(100 * share);
   if (!bar_ || percent == shown_percent_) return;

@@ -14,6 +14,8 @@ class Console {
   void line(const std::string& text);
   /// A line about something that the user may not have expected.
   void remark(const std::string& text);
+  /// A fault beside which work goes on; said in any case.
+  void error(const std::string& text);
   /// Draws or moves the progress bar; `share` in [0, 1].
   void progress(const std::string& what, double share);
   /// Removes the progress bar.

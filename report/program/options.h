@@ -44,6 +44,7 @@ struct Options {
   std::string from;                    ///< of --from; empty: not given
   bool accept = false;                 ///< --accept
   std::vector<std::string> limits;     ///< of --limit
+  std::string history;                 ///< of --history; empty: not given
   bool json = false;
   bool quiet = false;
 };

@@ -159,7 +159,9 @@ void add_comparison(CLI::App& command, Options& options) {
 
 void add_input(const Verb& verb, CLI::App& command, Options& options) {
   const std::string meaning =
-      verb.input == "CASE" ? "case file (TOML)" : "run.h5, study.h5 or study.json, or its folder";
+      verb.input != "CASE" ? "run.h5, study.h5 or study.json, or its folder"
+      : verb.takes_many    ? "case file (TOML), folder of such, or the name of one that came with the program"
+                           : "case file (TOML)";
   if (!verb.takes_many) {
     command.add_option(verb.input, options.input, meaning)->required()->type_name("");
     return;
@@ -194,6 +196,12 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->check(number_between(0, most_share))
         ->needs(baseline);
   }
+  if (verb.takes_history)
+    command
+        ->add_option(
+            "--history", options.history,
+            "add a line of JSON a run to FILE, and show what became of errors and time over its lines")
+        ->type_name("FILE");
   if (verb.takes_kind)
     command
         ->add_option("KIND", options.kind,
@@ -210,11 +218,15 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   if (verb.takes_output)
     command
-        ->add_option("-o,--output", options.output,
-                     verb.input == "CASE"
-                         ? "output folder; default: output/ and the name of the case file (and of the study)"
-                     : verb.draws
-                         ? "output folder, or - for the frames alone, as PNG files one after another "
+        ->add_option(
+            "-o,--output", options.output,
+            verb.input == "CASE"
+                ? verb.takes_many
+                      ? "output folder; default: output/ and the name of the case file or folder; for "
+                        "several "
+                        "files output"
+                      : "output folder; default: output/ and the name of the case file (and of the study)"
+            : verb.draws ? "output folder, or - for the frames alone, as PNG files one after another "
                            "on standard output; default: that of the run"
                          : "output folder; default: that of the run")
         ->type_name("DIR");
@@ -273,6 +285,8 @@ void check_together(const Verb& verb, const Options& options) {
   if (options.output == "-" && !verb.draws)
     throw UsageError(fmt::format("-o -: plumb {} writes a folder, and only plumb render streams", verb.name));
   if (!options.from.empty() && !options.inputs.empty()) throw UsageError("--from takes the place of RUN");
+  if (!options.from.empty() && !options.history.empty())
+    throw UsageError("--history goes with RUN: --from shows what a results.json says, no new run");
   asked_bounds(options.limits);
 }
 
@@ -331,10 +345,7 @@ int parse_and_act(int count, const char* const* arguments) {
     return static_cast<int>(ExitStatus::done);
   }
   Options& options = command.options;
-  if (command.verb->input == "CASE") {
-    options.input = case_named(options.input);
-    for (std::string& input : options.inputs) input = case_named(input);
-  }
+  if (command.verb->input == "CASE" && !command.verb->takes_many) options.input = case_named(options.input);
   Console console(options.json || options.csv == "-" || options.output == "-", options.quiet);
   heed_environment(*command.verb, console);
   return static_cast<int>(command.verb->act(options, console));

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
 #include "report/figure/scene_of_run.h"
+#include "report/program/history_file.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
@@ -24,6 +27,11 @@ ExitStatus do_report(const Options& options, Console& console) {
   if (options.inputs.size() > 1) return index_many(matching_paths(options.inputs), options, console);
   Stages stages;
   stages.begin("reading");
+  if (!options.history.empty()) {
+    if (is_study(options.input) || study_json_at(options.input))
+      throw UsageError(fmt::format("--history is of runs, and {} is a study", options.input));
+    check_history(options.history, console);
+  }
   if (is_study(options.input)) {
     const std::unique_ptr<MadeStudy> study = made_study(find_study(options.input));
     OutputFolder folder(output_path_of_run(options), folder_from(options.input, console));
@@ -39,6 +47,8 @@ ExitStatus do_report(const Options& options, Console& console) {
   check_estimate(run.loaded.spec, {.writes_run = true, .draws = fault_of_scene(run.loaded).empty()},
                  options.input, output_path_of_run(options), options, console);
   OutputFolder folder(output_path_of_run(options), folder_from(options.input, console));
+  if (!options.history.empty())
+    refuse_to_overwrite("--history", options.history, source_files(options.input), folder.path());
   note_renderer(run, try_drawing());
   write_run(run, folder);
   const std::vector<RunSection> sections = sections_beside(options.input, run, folder);
@@ -53,6 +63,7 @@ Verb report_verb() {
           .act = do_report,
           .input = "RUN",
           .takes_many = true,
+          .takes_history = true,
           .takes_document = true,
           .takes_output = true,
           .is_estimated = true,

@@ -15,6 +15,7 @@
 #include "report/figure/run_figures.h"
 #include "report/page/page.h"
 #include "report/program/earlier_report.h"
+#include "report/program/history_file.h"
 #include "report/program/output_use.h"
 #include "report/program/run_sections.h"
 
@@ -208,9 +209,11 @@ ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sectio
   }
   Document document = document_of(evaluate(run, stages, sections), pictures);
   hold_against_earlier(document, pictures, options, folder.path());
+  if (!options.history.empty()) add_history(document, options.history);
   stages.begin("report");
   write_report(document, pictures, page_sections(), folder);
   folder.commit();
+  if (!options.history.empty()) append_history(options.history, history_entry(document));
   stages.end();
   if (!failure.empty())
     throw OutputError(

@@ -1,5 +1,6 @@
 #include "report/program/run_sections.h"
 
+#include "report/page/history_html.h"
 #include "report/page/modes_html.h"
 #include "report/program/assessment_pipeline.h"
 #include "report/program/scene_choice.h"
@@ -27,8 +28,8 @@ std::vector<RunSection> sections_of(const Run& run, const std::optional<Study>& 
 }  // namespace
 
 std::span<const PageSection> page_sections() {
-  static const std::vector<PageSection> all{modes_on_page(), uncertainty_on_page(), budget_on_page(),
-                                            economy_on_page(), work_precision_on_page()};
+  static const std::vector<PageSection> all{modes_on_page(),   uncertainty_on_page(),    budget_on_page(),
+                                            economy_on_page(), work_precision_on_page(), history_on_page()};
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include "report/document/case_json.h"
 #include "report/document/regression.h"
 #include "report/program/earlier_report.h"
+#include "report/program/history_file.h"
 #include "report/program/kept_points.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
@@ -22,9 +23,12 @@ ExitStatus run_one(const Options& options, Console& console) {
   // Before any work: a baseline that is not there would be found out too late.
   std::optional<Document> baseline;
   if (!options.baseline.empty()) baseline = find_baseline(options.baseline);
+  if (!options.history.empty()) check_history(options.history, console);
   check_estimate(loaded.spec, work_of_run(loaded.spec), loaded.source.file.name, output_path(options, loaded),
                  options, console);
   OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, console));
+  if (!options.history.empty())
+    refuse_to_overwrite("--history", options.history, files_read(loaded, options), folder.path());
   const std::string renderer = try_drawing();
   std::optional<Economy> economy;
   if (is_left_to_scene(loaded, options)) {
@@ -57,10 +61,10 @@ ExitStatus run_one(const Options& options, Console& console) {
 namespace {
 
 ExitStatus do_run(const Options& options, Console& console) {
-  const std::vector<std::string> cases = matching_paths(options.inputs);
-  if (cases.size() > 1) return run_many(cases, options, console);
+  const CaseList cases = cases_named(options.inputs);
+  if (cases.paths.size() > 1 || !cases.folder.empty()) return run_many(cases, options, console);
   Options one = options;
-  one.input = cases.front();
+  one.input = cases.paths.front();
   return run_one(one, console);
 }
 
@@ -73,6 +77,7 @@ Verb run_verb() {
           .input = "CASE",
           .takes_many = true,
           .takes_baseline = true,
+          .takes_history = true,
           .takes_overrides = true,
           .takes_output = true,
           .chooses = true,

@@ -16,6 +16,7 @@ struct Verb {
   std::string input = {};   ///< what its argument is called in the help: "CASE", "RUN"; empty: takes none
   bool takes_many = false;  ///< of its argument, in Options::inputs
   bool takes_baseline = false;
+  bool takes_history = false;
   bool takes_document = false;  ///< --from, in the place of its argument
   bool takes_overrides = false;
   bool takes_output = false;

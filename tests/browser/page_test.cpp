@@ -95,12 +95,14 @@ std::string hostile_page() {
 TEST(Pages, AreMade) {
   fs::remove_all(pages);
   write_text(pages / "small.toml", small_pendulum());
-  const Ended run = plumb_in(pages, {"run", "small.toml", "-o", "run"});
+  const Ended run = plumb_in(pages, {"run", "small.toml", "-o", "run", "--history", "runs.jsonl"});
   ASSERT_EQ(run.status, 0) << run.err;
   const Ended failing = plumb_in(pages, {"run", "small.toml", "-o", "failed", "--set", "method.name=rk4",
                                          "--set", "method.step=1.3e-3", "--set", "study={}"});
   ASSERT_EQ(failing.status, 4) << failing.err;
   write_text(pages / "hostile.html", hostile_page());
+  const Ended both = plumb_in(pages, {"report", "run", "failed", "-o", "index", "--history", "runs.jsonl"});
+  ASSERT_EQ(both.status, 4) << both.err;
 }
 
 TEST(Pages, HaveABrowserThatAnotherProcessCanUse) {
@@ -403,7 +405,7 @@ TEST_F(PageInBrowser, DataOfAFigureAreThoseOfItsFile) {
 }
 
 TEST_F(PageInBrowser, FitsWideAndNarrowWindows) {
-  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html"}) {
+  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html", "index/index.html"}) {
     tab().resize(360, 800);
     open(page);
     for (const int width : {360, 1400}) {
@@ -421,7 +423,7 @@ TEST_F(PageInBrowser, FitsWideAndNarrowWindows) {
 
 TEST_F(PageInBrowser, TextStandsOutInLightAndDark) {
   const std::string faint_texts = script("faint_texts.js");
-  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html"}) {
+  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html", "index/index.html"}) {
     open(page);
     for (const char* scheme : {"light", "dark"}) {
       tab().emulate({{"prefers-color-scheme", scheme}, {"prefers-reduced-motion", "reduce"}});
@@ -465,7 +467,7 @@ TEST_F(PageInBrowser, PrintsTheDrawnPictures) {
 }
 
 TEST_F(PageInBrowser, CanBeReadWithoutSeeing) {
-  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html"}) {
+  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html", "index/index.html"}) {
     open(page);
     EXPECT_EQ(tab().value_of("[...document.images].filter((image) => image.alt.length < 10).length"), 0)
         << page;
@@ -535,6 +537,35 @@ TEST_F(PageInBrowser, OfAFailedRunBeginsWithWhatWentWrong) {
       300);
   EXPECT_TRUE(tab().value_of("document.title").get<std::string>().starts_with("unstable: "));
   EXPECT_EQ(count(".verdict-group .tag.passed"), 0);
+}
+
+TEST_F(PageInBrowser, IndexFindsReportsByTextAndStatusAndShowsTheirComparisons) {
+  open("index/index.html");
+  EXPECT_EQ(tab().complaints(), std::vector<std::string>{});
+  const auto shown = [&] { return std::pair(count(".card"), count(".verdict-group tr[data-status]")); };
+  const std::pair<long, long> all(2, 12);
+  EXPECT_EQ(shown(), all);
+  EXPECT_GT(count("#comparisons svg circle"), 5);
+  EXPECT_GT(count("#history svg"), 1);
+  const auto set = [&](const std::string& selector, const std::string& value, const std::string& event) {
+    tab().value_of("(() => { const node = document.querySelector('" + selector + "'); node.value = '" +
+                   value + "'; node.dispatchEvent(new Event('" + event + "')); })()");
+  };
+  set(".filter-bar input", "unstable", "input");
+  EXPECT_EQ(shown().first, 1);
+  EXPECT_EQ(text_of(".card:not([hidden]) .name").substr(0, 9), "../failed");
+  set(".filter-bar input", "tip", "input");
+  EXPECT_GT(shown().second, 0);
+  EXPECT_LT(shown().second, all.second);
+  set(".filter-bar input", "", "input");
+  set(".filter-bar select", "validation", "change");
+  EXPECT_LT(shown().second, all.second);
+  set(".filter-bar select", "", "change");
+  EXPECT_EQ(shown(), all);
+  tab().call("Emulation.setScriptExecutionDisabled", {{"value", true}});
+  open("index/index.html");
+  EXPECT_EQ(count(".verdict-group tr[data-status]"), all.second) << "without scripts";
+  EXPECT_EQ(count(".filter-bar"), 0);
 }
 
 TEST_F(PageInBrowser, HasNothingThatAxeFinds) {

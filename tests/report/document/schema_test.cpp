@@ -75,9 +75,12 @@ std::map<std::string, Json> made_documents() {
   Stages stages;
   stages.add("solving", 0.5);
   all["run"] = Json::parse(to_json(document_of(evaluate(run_with("made"), stages), {})));
+  History history{{history_entry(all["run"]), entry_without_report("gone", {}, "crashed")}, {}};
+  all["run"][history_key] = {{"file", "h.jsonl"}, {"runs", history.entries}};
   Picture picture;
   picture.file = "figures/shared_tip.x.png";
-  all["index"] = Json::parse(to_json(index_of({{"made", all["run"]}, {"gone", nullptr}}, {picture})));
+  all["index"] =
+      Json::parse(to_json(index_of({indexed("made", all["run"]), {"gone"}}, {picture}, 2, history)));
   return all;
 }
 
@@ -150,7 +153,8 @@ bool is_table_of_names(const std::string& place) {
 }
 
 bool may_be_missing(const std::string& place, const std::string& key) {
-  static const std::set<std::string> optional{"step", "rtol", "atol", "from", "mesh", check_sum_key};
+  static const std::set<std::string> optional{"step",        "rtol",    "atol",    "from", "mesh",
+                                              check_sum_key, "at_once", "history", "fault"};
   if (place.empty() && key == "kind") return true;  // without it an index is a study of none
   if (key == "coverage" || (place == "case" && key == "method")) return true;
   return (optional.contains(key) && !place.starts_with("stability.energies")) ||
