@@ -39,10 +39,23 @@ double OneStepMethod::allowed_leftover(double h) const {
                       : std::numeric_limits<double>::infinity();
 }
 
+void OneStepMethod::note_growth() {
+  constexpr double clearly = 1.1;
+  if (h_ > clearly * largest_step_) {
+    largest_step_ = h_;
+    steps_since_growth_ = 0;
+  } else {
+    ++steps_since_growth_;
+  }
+}
+
 StepResult OneStepMethod::refusal() const {
   const double steps = dynamics_.times().duration / h_;
   constexpr double beginning = 0.1;  // of the run; what has come further may as well go on
-  if (!(steps > most_steps) || now_.t > beginning * dynamics_.times().duration) return {};
+  constexpr int settled = 20;  // steps in which it has not grown: from a cautious first one it does so slowly
+  if (!(steps > most_steps) || steps_since_growth_ < settled ||
+      now_.t > beginning * dynamics_.times().duration)
+    return {};
   const double possible = rtol_ * control_->tolerance_ratio(steps / most_steps);
   return {Outcome::no_convergence,
           fmt::format(
@@ -97,10 +110,10 @@ StepResult OneStepMethod::controlled_step(double stop) {
         if (h < h_) {
           h_ = std::max(h_, wished);
         } else {
-          const bool still_growing = wished > 2 * h_;
           control_->accept(size);
           h_ = wished;
-          if (StepResult refused = refusal(); !still_growing && !refused.ok()) return refused;
+          note_growth();
+          if (StepResult refused = refusal(); !refused.ok()) return refused;
         }
         keep(ends ? stop : now_.t + h);
         return result;

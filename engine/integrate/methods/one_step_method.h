@@ -50,12 +50,15 @@ class OneStepMethod : public Method {
   /// Whether steps have become so short that the run would take too many; says from which tolerance on it
   /// would not.
   StepResult refusal() const;
+  void note_growth();
 
   double tolerance_;  // rtol + atol; 0: a fixed step
   double rtol_ = 0;
   FixedSteps steps_;
   std::optional<StepControl> control_;  // with tolerances
   double h_ = 0;                        // the controlled step, s; 0: not chosen yet
+  double largest_step_ = 0;             // that it has clearly grown to, s
+  int steps_since_growth_ = 0;
   long rejected_ = 0;
   Dynamics& dynamics_;
   State before_;

@@ -81,6 +81,15 @@ TEST(ErrorControl, RefusesWhatWouldTakeTooManyStepsAndNamesTheToleranceThatWould
   EXPECT_LT(refused.counters.steps, 10000) << "it went on for long before it was refused";
 }
 
+TEST(ErrorControl, RefusesNothingForACautiousFirstStep) {
+  constexpr double short_time = 0.01;
+  for (const double tolerance : {1e-8, 1e-10, 1e-12}) {
+    const Trajectory seen =
+        run(pendulum(5, 64), method("runge-kutta-nystrom", {}, tolerance), {short_time, short_time});
+    EXPECT_EQ(seen.outcome, Outcome::completed) << tolerance << ": " << seen.message;
+  }
+}
+
 TEST(ErrorControl, OfAdamsFormulasUsesNoMatrixAndFewForcesAStep) {
   const Trajectory seen = run(pendulum(5, 4), method("cvode-adams", {}, 1e-8), half_second);
   EXPECT_EQ(seen.counters.tangent_evaluations, 0);

@@ -94,7 +94,7 @@ TEST(LoadCase, ThePendulumsReferencesHoldTheirFigures) {
   }
   const Reference& converged = loaded.references[1];
   EXPECT_EQ(converged.kind, ReferenceKind::computed);
-  EXPECT_EQ(converged.times, (std::vector<double>{0.1, 0.5, 1, 2}));
+  EXPECT_EQ(converged.times.size(), 100U);
   EXPECT_EQ(converged.find("tip_z")->values.back(), 0.9032090);
 }
 
