@@ -72,7 +72,9 @@ std::vector<double> every_second(const std::vector<double>& all) {
   return some;
 }
 
+/// What is compared and read off a column that the run has.
 void each_aggregate(const std::vector<Comparison>& compared, const ProbeTable& outputs, const auto& visit) {
+  if (outputs.times.empty()) return;
   for (const Comparison& pair : compared) {
     const ColumnQuantity quantity = column_quantity(pair.column);
     const Column* column = outputs.find(quantity.column);

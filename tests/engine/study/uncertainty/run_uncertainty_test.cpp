@@ -96,6 +96,24 @@ TEST(RunUncertainty, SamplingFindsTheSpreadOfALinearModel) {
   EXPECT_EQ(series.share_within, 1);
 }
 
+TEST(RunUncertainty, OfWhatIsReadOffAColumnIsThatOfTheReading) {
+  CaseSource source = falling(sampled);
+  source.overrides = {"reference.0.compare={ y = \"least mid.y\" }", "time.output_interval=0.05"};
+  const plumb::Run run = run_of(source);
+  const Uncertainty found = run_uncertainty(run, InMemory());
+  ASSERT_EQ(found.series.size(), 1U);
+  const SeriesUncertainty& series = found.series[0];
+  EXPECT_EQ(series.column, "least mid.y");
+  ASSERT_EQ(series.times, (std::vector<double>{0.5, 1})) << "up to 0 s there is too little";
+  for (std::size_t k = 0; k < series.times.size(); ++k) {
+    const double t = series.times[k];
+    EXPECT_NEAR(series.parts.at(3).values.at(k), 0.02 * 10 * t * t / 2, 0.02 * 0.1 * t * t) << t;
+  }
+  EXPECT_NEAR(series.error[1], 0.01, 1e-9);
+  const std::string stored = encode_assessment({found, {}});
+  EXPECT_EQ(decode_assessment(stored, "stored.json", run).uncertainty->series.at(0).error, series.error);
+}
+
 TEST(RunUncertainty, HasNoPartInWhatTheReferenceShares) {
   const auto found = [](const std::string& shares) {
     CaseSource source = falling(sampled);
