@@ -19,6 +19,14 @@ std::string_view word(Abscissa abscissa) {
   return "t";
 }
 
+bool SharedErrors::has_mesh_of(const CableSpec& cable) const {
+  return elements == cable.elements && strain == cable.strain && quadrature == cable.quadrature;
+}
+
+bool SharedErrors::has_input(const std::string& key) const {
+  return std::find(inputs.begin(), inputs.end(), key) != inputs.end();
+}
+
 const ReferenceSeries* Reference::find(std::string_view name) const {
   const auto found = std::find_if(series.begin(), series.end(),
                                   [&](const ReferenceSeries& item) { return item.name == name; });

@@ -66,6 +66,8 @@ struct BudgetItemSpec {
   std::vector<std::string> overrides;  ///< "method.name=rk4", as --set takes them
   std::string reason;                  ///< may be empty
   bool together = true;                ///< false: for information, and no part of all of them together
+  /// True of an error of that computation's own numerics, which moves what was published.
+  bool numerical = false;
 
   friend bool operator==(const BudgetItemSpec&, const BudgetItemSpec&) = default;
 };

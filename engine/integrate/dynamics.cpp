@@ -174,24 +174,25 @@ void Dynamics::solve(Eigen::VectorXd& x) const {
 }
 
 StageCorrection Dynamics::correct(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x,
-                                  const Instant& at) {
+                                  const Instant& at, bool turns) {
   const bool renews = stiffness_factor != 0;
-  if (!by_kernels_ || !(definite_ || renews)) return correct_stepwise(stage, stiffness_factor, x, at);
+  if (turns) turns_.resize(static_cast<std::size_t>(turns_size(cable_.nodes())));
+  if (!by_kernels_ || !(definite_ || renews)) return correct_stepwise(stage, stiffness_factor, x, at, turns);
   x.resize(size());
   ++counters.force_evaluations;
   counters.tangent_evaluations += renews ? 1 : 0;
   counters.factorizations += renews ? 1 : 0;
-  const StageCorrection result =
-      best_kernels().correct(cable_.constants(), cable_.elements(), cable_.supports(),
-                             cable_.loads().on_nodes(), stage, stiffness_factor, factors(), x.data());
+  const StageCorrection result = best_kernels().correct(
+      cable_.constants(), cable_.elements(), cable_.supports(), cable_.loads().on_nodes(), stage,
+      stiffness_factor, factors(), turns ? turns_.data() : nullptr, x.data());
   if (renews) definite_ = result.singular < 0;
-  if (result.unsound < 0 && !definite_) return correct_stepwise(stage, stiffness_factor, x, at);
+  if (result.unsound < 0 && !definite_) return correct_stepwise(stage, stiffness_factor, x, at, turns);
   if (result.unsound < 0) ++counters.newton_iterations;
   return result;
 }
 
 StageCorrection Dynamics::correct_stepwise(const StageTerms& stage, double stiffness_factor,
-                                           Eigen::VectorXd& x, const Instant& at) {
+                                           Eigen::VectorXd& x, const Instant& at, bool turns) {
   StageCorrection result;
   const auto sum_of = [&](const Sum& sum, Eigen::VectorXd& to) {
     to.resize(size());
@@ -224,8 +225,13 @@ StageCorrection Dynamics::correct_stepwise(const StageTerms& stage, double stiff
       result.singular = *node;
       return result;
     }
+    if (turns) best_kernels().mark_slopes(cable_.nodes(), point_.data(), turns_.data());
+    solve(x);
+  } else {
+    if (turns) best_kernels().turn_back(cable_.nodes(), point_.data(), turns_.data(), x.data());
+    solve(x);
+    if (turns) best_kernels().turn(cable_.nodes(), turns_.data(), x.data());
   }
-  solve(x);
   ++counters.newton_iterations;
   result.finite = x.allFinite();
   for (Eigen::Index i = 0; i < x.size(); i += 6) {

@@ -93,9 +93,10 @@ class Dynamics {
   /// residual there, solved with the factors at hand, or, with `stiffness_factor` other than 0, with those of
   /// mass · M + stiffness_factor · K
   /// + force · reach of the rates · C at the stage's point. x is given its size; the stage must not be made
-  /// of it. After a correction that was unsound or singular the next one must renew the matrix.
+  /// of it. After a correction that was unsound or singular the next one must renew the matrix. `turns`: an
+  /// old matrix is turned with the nodes, which it must have been since it was made.
   StageCorrection correct(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x,
-                          const Instant& at = {});
+                          const Instant& at = {}, bool turns = false);
 
   /// An element whose slope collapsed in `force` or `acceleration` since the last call; forgets it.
   std::optional<int> take_collapsed();
@@ -105,7 +106,7 @@ class Dynamics {
  private:
   /// The same for any model and any matrix, one thing after the other.
   StageCorrection correct_stepwise(const StageTerms& stage, double stiffness_factor, Eigen::VectorXd& x,
-                                   const Instant& at);
+                                   const Instant& at, bool turns);
   /// rates_ := those of an instant, at x.
   void set_rates(const Instant& at, const Scaled& x = {});
   /// q and v in the frame of the supports, with the displacement of the last end.
@@ -129,6 +130,7 @@ class Dynamics {
   MovedSupports moved_;  // where `placed` was asked for last
   Eigen::VectorXd placed_q_, placed_v_;
   HugeArray factors_;                       // none before the first are made
+  std::vector<double> turns_;               // of the nodes since then, where they are asked for
   std::optional<BlockTridiagonal> system_;  // S itself, where it is wanted in full
   BlockLu<double> lu_;                      // instead, where S is not positive definite
   bool definite_ = true, symmetric_ = true;

@@ -42,10 +42,10 @@ int system_factors(const ElementConstants& element, double mass_factor, double s
 
 StageCorrection correct(const ElementConstants& element, int elements, const HeldEnds& ends,
                         const NodeForces& loads, const StageTerms& stage, double stiffness_factor,
-                        double* factors, double* x) {
+                        double* factors, double* turns, double* x) {
   const ElementConstants scaled = scaled_by(stage.mass, stiffness_factor, element);
   return PLUMB_CHOOSE(chain_correction, element, scaled, stiffness_factor != 0, elements, ends, loads, stage,
-                      factors, x);
+                      factors, turns, x);
 }
 
 int acceleration(const ElementConstants& element, int elements, const MassFactors& mass,
@@ -63,8 +63,21 @@ void add_up(int nodes, Sums sums) {
 }  // namespace
 
 extern const Kernels PLUMB_KERNELS;
-const Kernels PLUMB_KERNELS{
-    PLUMB_INSTRUCTION_SET, force,   acceleration, energy,        system, factor,        solve,
-    system_factors,        correct, mass_solve,   mass_multiply, add_up, kinetic_energy};
+const Kernels PLUMB_KERNELS{PLUMB_INSTRUCTION_SET,
+                            force,
+                            acceleration,
+                            energy,
+                            system,
+                            factor,
+                            solve,
+                            system_factors,
+                            correct,
+                            mark_slopes,
+                            turn_back,
+                            turn,
+                            mass_solve,
+                            mass_multiply,
+                            add_up,
+                            kinetic_energy};
 
 }  // namespace plumb::kernels

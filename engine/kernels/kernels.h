@@ -123,6 +123,12 @@ inline constexpr int block_rows = 12, block_column_size = 6 * block_rows;
 /// Numbers a node of the factors of such a matrix.
 inline constexpr int factor_size = 64;
 
+/// Numbers of how `nodes` have turned since such a matrix was made.
+constexpr int turns_size(int nodes) {
+  constexpr int group = 4, numbers = 28;
+  return numbers * ((nodes + group - 2) / group + 1);
+}
+
 /// The loops that a run spends its time in, written for vector units and built twice: for any x86-64 and,
 /// where the processor has AVX2, for x86-64-v3. Both do the same operations in the same order without fused
 /// multiply-add, so their results are the same to the last bit. `elements` is ≥ 1 and `nodes` ≥ 2. Arrays of
@@ -164,11 +170,18 @@ struct Kernels {
 
   /// One correction of Newton's iteration for a stage: x := from + the residual of the stage at `from`,
   /// solved with the factors of a matrix. With `stiffness_factor` other than 0 these are first made of mass M
-  /// + stiffness_factor K(point), K = ∂²U/∂q². All numbers of a node are read once for the way to the last
-  /// node and once for the way back. x must not be among those that the stage is made of.
+  /// + stiffness_factor K(point), K = ∂²U/∂q². With `turns` (else nullptr), turns_size() numbers that a
+  /// new matrix sets, an old one is turned with the nodes. All numbers of a node are read once for the way to
+  /// the last node and once for the way back. x must not be among those that the stage is made of.
   StageCorrection (*correct)(const ElementConstants& element, int elements, const HeldEnds& ends,
                              const NodeForces& loads, const StageTerms& stage, double stiffness_factor,
-                             double* factors, double* x);
+                             double* factors, double* turns, double* x);
+
+  /// The same turns one by one: those of a matrix at q begin; x := Rᵀ x with R the turns up to q; and x := R
+  /// x with the same.
+  void (*mark_slopes)(int nodes, const double* q, double* turns);
+  void (*turn_back)(int nodes, const double* q, double* turns, double* x);
+  void (*turn)(int nodes, const double* turns, double* x);
 
   /// x := M⁻¹ x with the factors of M.
   void (*mass_solve)(int nodes, const MassFactors& factors, double* x);

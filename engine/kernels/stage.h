@@ -3,6 +3,7 @@
 #include "engine/kernels/block_elimination.h"
 #include "engine/kernels/chain_system.h"
 #include "engine/kernels/mass_band.h"
+#include "engine/kernels/node_turn.h"
 #include "engine/kernels/summed_nodes.h"
 
 namespace plumb::kernels {
@@ -69,26 +70,45 @@ PLUMB_INLINE Lanes magnitude(Lanes x) {
   return larger(x, -x);
 }
 
-/// x := from + change from the last node to the first, with what the way there has left in x.
-PLUMB_INLINE void substitute_back(int nodes, const double* factors, const Scaled& from, double* x,
-                                  StageCorrection& result) {
+/// x := from + change from the last node to the first, with what the way there has left in x and the turns
+/// that it has kept, unless there are none.
+PLUMB_INLINE void substitute_back(int nodes, const double* factors, const double* turns, const Scaled& from,
+                                  double* x, StageCorrection& result) {
   Lanes greatest = {}, greatest_end = {}, zero = {};
   Six next{};
-  for (int node = nodes - 1; node >= 0; --node) {
-    double* const at = x + per_node * node;
+  const auto substitute = [&](int node) __attribute__((always_inline)) {
     const int ahead = node - nodes_ahead;
     ask_for<block_size>(multiplier_of(ahead, factors));
     ask_for<per_node>(x + per_node * ahead);
     ask_for<per_node>(from.numbers + per_node * ahead);
-    Six own = load_six(at);
+    Six own = load_six(x + per_node * node);
     if (node < nodes - 1) own = own - multiply_transposed(multiplier_of(node, factors), next);
+    next = own;
+    return own;
+  };
+  const auto add = [&](int node, const Six& own) __attribute__((always_inline)) {
     const Six old = load_six(from.numbers + per_node * node);
-    store_six(at, Six{from.factor * old.a, from.factor * old.b} + own);
+    store_six(x + per_node * node, Six{from.factor * old.a, from.factor * old.b} + own);
     const Lanes end = __builtin_shufflevector(own.b, own.b, 0, 1, 0, 1);
     greatest = larger(magnitude(own.a), greatest);
     greatest_end = larger(magnitude(end), greatest_end);
     zero += 0 * own.a + 0 * end;  // not a number, if one is none
-    next = own;
+  };
+  if (turns == nullptr) {
+    for (int node = nodes - 1; node >= 0; --node) add(node, substitute(node));
+  } else {
+    const int elements = nodes - 1;
+    double changes[per_node * lanes];
+    const auto take = [&](int first, int count, int group) __attribute__((always_inline)) {
+      ask_for<turn_group_size>(turns + group - 2 * turn_group_size);
+      for (int i = count - 1; i >= 0; --i) store_six(changes + per_node * i, substitute(first + i));
+      GroupTurn::kept(turns + group).turn(count, changes);
+      for (int i = count - 1; i >= 0; --i) add(first + i, load_six(changes + per_node * i));
+    };
+    take(elements, 1, last_turn_group(elements));
+    const int left_over = elements % lanes;
+    if (left_over > 0) take(elements - left_over, left_over, turn_group(elements - left_over));
+    for (int e = elements - left_over - lanes; e >= 0; e -= lanes) take(e, lanes, turn_group(e));
   }
   const auto of = [](double a, double b) { return a > b ? a : b; };
   result.position = of(of(greatest[0], greatest[1]), greatest[2]);
@@ -101,7 +121,7 @@ PLUMB_INLINE void substitute_back(int nodes, const double* factors, const Scaled
 template <bool green, bool full>
 StageCorrection chain_correction(const ElementConstants& element, const ElementConstants& scaled, bool renews,
                                  int elements, const HeldEnds& ends, const NodeForces& loads,
-                                 const StageTerms& terms, double* factors, double* x) {
+                                 const StageTerms& terms, double* factors, double* turns, double* x) {
   const int nodes = elements + 1;
   StageCorrection result;
   const Sum point_sum = terms.point(), rates_sum = terms.accelerations();
@@ -113,7 +133,8 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
   double f[per_node * (lanes + 1)];
   const NodeForce* load = loads.begin();
 
-  const auto take_node = [&](int node, double* force, const NodeVectors& inertia) {
+  const bool turning = turns != nullptr && !renews;
+  const auto residual = [&](int node, double* force, const NodeVectors& inertia) {
     Six b = load_six(force);
     if (load != loads.end() && load->node == node) b = b + load_six(load++->force);
     b = {terms.force * b.a, terms.force * b.b};
@@ -123,23 +144,33 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
     }
     b = b - Six{terms.mass * __builtin_shufflevector(inertia.r, inertia.g, 0, 1, 2, 4),
                 terms.mass * __builtin_shufflevector(inertia.g, inertia.g, 1, 2)};
-    if (node == 0 || node == elements) {
-      store_six(force, b);
-      ends.hold(node != 0, force);
-      b = load_six(force);
-    }
-    if (!renews) {
-      const int ahead = node + nodes_ahead;
-      ask_for<block_size>(multiplier_of(ahead, factors));
-      ask_for<symmetric_size>(inverse_of(ahead, nodes, factors));
-      ask_for<per_node>(x + per_node * ahead);
-    }
-    store_six(x + per_node * node,
-              forward.take(multiplier_of(node, factors), inverse_of(node, nodes, factors), b));
+    store_six(force, b);
+    if (node == 0 || node == elements) ends.hold(node != 0, force);
   };
+  // Of residuals of `count` nodes from `first` on, whose coordinates are at `at`.
+  const auto substitute = [&](int first, int count, int group, const double* at, double* residuals) {
+    if (turning)
+      GroupTurn::to_slopes(count, at, turns + group).turn_back(count, residuals);
+    else if (turns != nullptr)
+      GroupTurn::mark(count, at, turns + group);
+    for (int i = 0; i < count; ++i) {
+      const int node = first + i;
+      if (!renews) {
+        const int ahead = node + nodes_ahead;
+        ask_for<block_size>(multiplier_of(ahead, factors));
+        ask_for<symmetric_size>(inverse_of(ahead, nodes, factors));
+        ask_for<per_node>(x + per_node * ahead);
+      }
+      store_six(x + per_node * node,
+                forward.take(multiplier_of(node, factors), inverse_of(node, nodes, factors),
+                             load_six(residuals + per_node * i)));
+    }
+  };
+  const double* last = nullptr;
   const auto take_group = [&](int e, int count) __attribute__((always_inline)) {
     if (result.singular >= 0) return;
     const double* at = point(e, count);
+    last = at + per_node * count;
     forces.take(e, count, at, f);
     if (renews) {
       result.singular = system.take(e, count, at);
@@ -148,14 +179,17 @@ StageCorrection chain_correction(const ElementConstants& element, const ElementC
     const double* rate = rates(e, count);
     if (e == 0) momentum = Momentum(element, load_node(rate));
     for (int i = 0; i < count; ++i)
-      take_node(e + i, f + per_node * i, momentum.take(load_node(rate + per_node * (i + 1))));
+      residual(e + i, f + per_node * i, momentum.take(load_node(rate + per_node * (i + 1))));
+    if (turning) ask_for<turn_group_size>(turns + turn_group(e) + 2 * turn_group_size);
+    substitute(e, count, turn_group(e), at, f);
   };
   for_each_group(elements, take_group);
   result.unsound = forces.unsound();
   if (result.unsound >= 0 || result.singular >= 0) return result;
   forces.end(f);
-  take_node(elements, f, momentum.take_last());
-  substitute_back(nodes, factors, terms.from, x, result);
+  residual(elements, f, momentum.take_last());
+  substitute(elements, 1, last_turn_group(elements), last, f);
+  substitute_back(nodes, factors, turning ? turns : nullptr, terms.from, x, result);
   return result;
 }
 

@@ -26,6 +26,7 @@ void read_item(TableReader& table, const CaseWithOverrides& with, const std::vec
   item.overrides = changes.overrides();
   item.reason = table.optional_prose("reason");
   item.together = table.flag("together", true);
+  item.numerical = table.flag("numerical", false);
   table.finish();
 
   if (item.name.size() > longest_name)

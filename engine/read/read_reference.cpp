@@ -11,13 +11,15 @@
 namespace plumb {
 namespace {
 
+const Range half_width = Range::positive("half-width, in the unit of the series");
+
 ReferenceSeries read_series(TableReader table, const std::vector<ReferenceSeries>& others) {
   ReferenceSeries series;
   series.name = table.text("name", "a name");
   series.figure = table.text("figure", "where the series stands in the source, \"Fig. 3\"");
   series.unit = table.text("unit", "the unit of the values, \"m\"");
   series.description = table.optional_text("description", series.name);
-  series.uncertainty = table.number("uncertainty", Range::positive("half-width, in the unit of the series"));
+  series.uncertainty = table.number("uncertainty", half_width);
   series.uncertainty_basis = table.prose("uncertainty_basis", "what the uncertainty rests on");
   table.finish();
 
@@ -65,21 +67,21 @@ std::vector<ReferenceSeries*> read_columns(const TableReader& file, const std::v
   return order;
 }
 
-void read_rows(const TableReader& file, const std::vector<TomlValue>& rows,
+void read_rows(const TableReader& table, const std::vector<TomlValue>& rows,
                const std::vector<ReferenceSeries*>& order, Abscissa abscissa, std::vector<double>& times) {
   constexpr int most_modes = 1'000'000;
   const Range range_of_first = abscissa == Abscissa::time   ? Range::at_least(0, "s")
                                : abscissa == Abscissa::load ? Range::at_least(0, "")
                                                             : Range::whole_between(1, most_modes);
-  if (rows.empty()) file.refuse_value("rows", "must hold at least one row");
+  if (rows.empty()) table.refuse_value("rows", "must hold at least one row");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const TomlValue& row = rows[i];
-    const std::string key = fmt::format("rows.{}", i);
+    const std::string key = table.full_key(fmt::format("rows.{}", i));
     const std::size_t length = order.size() + 1;
     if (row.kind != TomlValue::Kind::array || row.items.size() != length) {
       refuse(row.place, key, row.written, fmt::format("must be a list of {} numbers, one a column", length));
     }
-    const double time = file.number_in(row.items[0], key + ".0", range_of_first);
+    const double time = table.number_in(row.items[0], key + ".0", range_of_first);
     if (!times.empty() && time <= times.back()) {
       refuse(row.items[0].place, key + ".0", row.items[0].written,
              fmt::format("must be greater than the {} before it, {}{}",
@@ -89,7 +91,7 @@ void read_rows(const TableReader& file, const std::vector<TomlValue>& rows,
     times.push_back(time);
     for (std::size_t j = 1; j < length; ++j) {
       const Range range = Range::any(order[j - 1]->unit);
-      order[j - 1]->values.push_back(file.number_in(row.items[j], fmt::format("{}.{}", key, j), range));
+      order[j - 1]->values.push_back(table.number_in(row.items[j], fmt::format("{}.{}", key, j), range));
     }
   }
 }
@@ -102,6 +104,76 @@ ReferenceCable read_cable_of(TableReader table) {
   cable.mass_per_length = table.optional_number("mass_per_length", Range::positive("kg/m"));
   table.finish();
   return cable;
+}
+
+/// [exact]: its rows stand over the same as those of the file.
+void read_exact(TableReader table, const std::vector<ReferenceSeries*>& order, Reference& reference) {
+  ExactSolution exact;
+  exact.obtained = table.prose("obtained", "how the exact figures were found");
+  exact.uncertainty_basis = table.prose("uncertainty_basis", "what the uncertainty rests on");
+  const TomlValue* uncertainty = table.value().find("uncertainty");
+  if (uncertainty != nullptr && uncertainty->kind == TomlValue::Kind::table) {
+    TableReader by_series = table.table("uncertainty");
+    for (ReferenceSeries* series : order)
+      series->exact_uncertainty = by_series.number(series->name, half_width);
+    by_series.finish();
+  } else {
+    const double of_all = table.number("uncertainty", half_width);
+    for (ReferenceSeries* series : order) {
+      series->exact_uncertainty = of_all;
+      if (uncertainty != nullptr && series->unit != order.front()->unit)
+        table.refuse_value("uncertainty",
+                           "must be a table of one a series, { tip_x = 1e-6 }, as their units differ");
+    }
+  }
+  const std::vector<TomlValue>& rows = table.list("rows", "the list of rows, as those of the file");
+  table.finish();
+
+  std::vector<ReferenceSeries> figures(order.size());
+  std::vector<ReferenceSeries*> columns;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    figures[k].unit = order[k]->unit;
+    columns.push_back(&figures[k]);
+  }
+  std::vector<double> at;
+  read_rows(table, rows, columns, reference.abscissa, at);
+  if (at != reference.times)
+    table.refuse_value("rows", "must have the same first column as the rows of the file");
+  for (std::size_t k = 0; k < order.size(); ++k) order[k]->exact = std::move(figures[k].values);
+  reference.exact = std::move(exact);
+}
+
+SharedErrors read_shared_errors(TableReader table) {
+  SharedErrors shares;
+  constexpr int most_elements = 1'000'000, none = 0;
+  if (const int elements = table.whole("elements", 1, most_elements, none); elements != none)
+    shares.elements = elements;
+  shares.strain = table.choice<StrainModel>("strain", shares.strain);
+  shares.quadrature = table.choice<QuadratureRule>("quadrature", shares.quadrature);
+  shares.inputs = table.proses("inputs");
+  shares.model = table.optional_prose("model");
+  table.finish();
+  if (!shares.elements)
+    for (const char* key : {"strain", "quadrature"})
+      if (table.has(key)) table.refuse_value(key, "is of a mesh, whose number of elements is missing");
+  return shares;
+}
+
+/// [model]
+void read_other_model(TableReader table, const std::vector<ReferenceSeries*>& order, Reference& reference) {
+  OtherModel model;
+  table.list("differences", "the list of what is different in the model behind the figures");
+  model.differences = table.proses("differences");
+  if (table.has("error")) {
+    TableReader by_series = table.table("error");
+    for (ReferenceSeries* series : order)
+      series->model_error = by_series.optional_number(series->name, Range::positive(series->unit));
+    by_series.finish();
+    model.error_basis = table.prose("error_basis", "what the size of the model error rests on");
+  }
+  table.finish();
+  if (model.differences.empty()) table.refuse_value("differences", "must hold at least one text");
+  reference.model = std::move(model);
 }
 
 }  // namespace
@@ -124,6 +196,9 @@ Reference read_reference(const NamedText& text) {
   const bool has_unit = file.has("time_unit");
   if (has_unit) file.choice("time_unit", {"s"}, false);
   reference.cable = read_cable_of(file.table("cable"));
+  const bool has_exact = file.has("exact"), has_model = file.has("model");
+  TableReader exact = file.table("exact"), model = file.table("model");
+  reference.shares = read_shared_errors(file.table("shares"));
   const std::vector<TableReader> series = file.tables("series");
   if (!file.has("series")) file.list("series", "a list of tables [[series]], one a column");
   const std::vector<TomlValue>& columns = file.list("columns", "the list of the columns' names, \"t\" first");
@@ -137,6 +212,8 @@ Reference read_reference(const NamedText& text) {
   if (reference.abscissa == Abscissa::time && !has_unit)
     file.refuse_value("columns", "stand over the time, whose time_unit = \"s\" is missing");
   read_rows(file, rows, order, reference.abscissa, reference.times);
+  if (has_exact) read_exact(std::move(exact), order, reference);
+  if (has_model) read_other_model(std::move(model), order, reference);
   return reference;
 }
 

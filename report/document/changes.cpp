@@ -80,7 +80,7 @@ bool all_numbers(const Document& list) {
 
 std::string verdict_in_words(const Document& verdict) {
   const std::string status = verdict.at("status").get<std::string>();
-  if (status == "not run") return status;
+  if (status == word(VerdictStatus::not_run)) return status;
   return fmt::format("{}: {} {}", status, in_words(verdict.at("value")),
                      verdict.at("unit").get<std::string>());
 }

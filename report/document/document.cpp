@@ -14,39 +14,52 @@ using Json = Document;
 
 Json error_json(const SeriesError& error, const Run& run) {
   const ReferenceUse& use = run.loaded.spec.references[error.reference];
-  const ReferenceSeries& series = *run.loaded.references[error.reference].find(error.series);
+  const Reference& reference = run.loaded.references[error.reference];
+  const ReferenceSeries& series = *reference.find(error.series);
   const std::string given = given_name(error, run.loaded.spec);
-  return {{"reference", use.name},
-          {"run", given.empty() ? reported_name(run.loaded.spec) : given},
-          {"series", error.series},
-          {"column", error.column},
-          {"description", series.description},
-          {"figure", series.figure},
-          {"unit", error.unit},
-          {"points", error.times.size()},
-          {"missed_points", error.coverage.demanded - error.coverage.compared},
-          {"interpolated_points", error.coverage.interpolated},
-          {"coverage", coverage_json(error.coverage)},
-          {"max", error.max},
-          {"max_time", error.max_time},
-          {"rms", error.rms},
-          {"max_relative_to_length", error.max / run.loaded.spec.cable.length},
-          {"rms_relative_to_length", error.rms / run.loaded.spec.cable.length},
-          {"reference_uncertainty", series.uncertainty},
-          {"reference_uncertainty_basis", series.uncertainty_basis},
-          {"time", error.times},
-          {"expected", error.expected},
-          {"difference", error.difference}};
+  Json json{{"reference", use.name},
+            {"run", given.empty() ? reported_name(run.loaded.spec) : given},
+            {"against", error.exact ? "exact" : "printed"},
+            {"series", error.series},
+            {"column", error.column},
+            {"description", series.description},
+            {"figure", series.figure},
+            {"unit", error.unit},
+            {"points", error.times.size()},
+            {"missed_points", error.coverage.demanded - error.coverage.compared},
+            {"interpolated_points", error.coverage.interpolated},
+            {"coverage", coverage_json(error.coverage)},
+            {"max", error.max},
+            {"max_time", error.max_time},
+            {"rms", error.rms},
+            {"max_relative_to_length", error.max / run.loaded.spec.cable.length},
+            {"rms_relative_to_length", error.rms / run.loaded.spec.cable.length},
+            {"reference_uncertainty", error.exact ? series.exact_uncertainty : series.uncertainty},
+            {"reference_uncertainty_basis",
+             error.exact ? reference.exact->uncertainty_basis : series.uncertainty_basis},
+            {"time", error.times},
+            {"expected", error.expected},
+            {"difference", error.difference}};
+  if (error.print)
+    json["print"] = {{"max", error.print->max},
+                     {"max_time", error.print->max_time},
+                     {"rms", error.print->rms},
+                     {"greatest_exact", error.print->greatest}};
+  if (series.model_error && !error.exact) json["model_error"] = *series.model_error;
+  return json;
 }
 
 Json reference_json(const Reference& reference, const ReferenceUse& use) {
-  return {{"name", use.name},
-          {"title", reference.title},
-          {"kind", reference.kind == ReferenceKind::published ? "published" : "computed"},
-          {"source", reference.source},
-          {"obtained", reference.obtained},
-          {"reason", use.reason},
-          {"notes", reference.notes}};
+  Json json{{"name", use.name},
+            {"title", reference.title},
+            {"kind", reference.kind == ReferenceKind::published ? "published" : "computed"},
+            {"source", reference.source},
+            {"obtained", reference.obtained},
+            {"reason", use.reason},
+            {"notes", reference.notes}};
+  if (reference.exact) json["exact"] = reference.exact->obtained;
+  if (reference.model) json["model_differences"] = reference.model->differences;
+  return json;
 }
 
 Json energy_json(const Trajectory& trajectory) {
@@ -104,7 +117,7 @@ Document document_of(const Results& results, const Pictures& pictures) {
   json["outcome_reason"] = outcome_reason(results);
   json["complete"] = results.solved();
   // Where there is none, nothing is met.
-  json["all_criteria_met"] = results.solved() && !results.verdicts.empty() && all_passed(results.verdicts);
+  json["all_criteria_met"] = results.solved() && all_met(results.verdicts);
   json["verdicts"] = Json::array();
   for (const Verdict& verdict : results.verdicts) json["verdicts"].push_back(verdict_json(verdict));
   json["solve"] = solve_json(run);

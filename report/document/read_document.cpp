@@ -26,8 +26,8 @@ constexpr std::array run_keys{"title",      "headline",        "outcome",   "out
                               "probes",     "figures",         "animation", "case",           "seconds",
                               "provenance", "all_criteria_met"};
 
-template <typename Enum>
-Enum from_word(const std::string& text, std::initializer_list<Enum> all) {
+template <typename Enum, std::size_t n>
+Enum from_word(const std::string& text, const std::array<Enum, n>& all) {
   for (const Enum value : all)
     if (word(value) == text) return value;
   throw InputError(fmt::format("results.json: \"{}\" is unknown", text));
@@ -130,10 +130,9 @@ std::vector<Verdict> verdicts_of(const Document& document) {
   for (const Document& item : document.at("verdicts")) {
     const auto text = [&](const char* key) { return item.at(key).get<std::string>(); };
     Verdict verdict;
-    verdict.kind = from_word(text("kind"), {VerdictKind::verification, VerdictKind::validation,
-                                            VerdictKind::regression, VerdictKind::performance});
-    verdict.status =
-        from_word(text("status"), {VerdictStatus::not_run, VerdictStatus::passed, VerdictStatus::failed});
+    verdict.kind = from_word(text("kind"), std::array{VerdictKind::verification, VerdictKind::validation,
+                                                      VerdictKind::regression, VerdictKind::performance});
+    verdict.status = from_word(text("status"), statuses_by_urgency);
     verdict.name = text("name");
     verdict.criterion = text("criterion");
     // What is not finite has no number in JSON.
@@ -158,15 +157,13 @@ void check_claims(const Document& document, const std::string& path) {
          (verdict.coverage && (verdict.coverage->compared == 0 || !verdict.coverage->lacking.empty()))))
       throw InputError(one_line(
           fmt::format("{}: the verdict '{}' is passed, which its numbers do not say", path, verdict.name)));
-  const auto all_met = [&] {
-    return document.at("complete").get<bool>() && !verdicts.empty() && all_passed(verdicts);
-  };
-  const bool met = all_met();
+  const bool complete = document.at("complete").get<bool>(), met = complete && all_met(verdicts);
   // What moved since an earlier report makes a run no less accurate.
   std::erase_if(verdicts, [](const Verdict& verdict) { return verdict.kind == VerdictKind::regression; });
   const bool says_accurate = document.at("outcome") == "accurate" ||
                              document.at("headline").get<std::string>().starts_with("Accurate");
-  if ((!met && document.at("all_criteria_met").get<bool>()) || (!all_met() && says_accurate))
+  if ((!met && document.at("all_criteria_met").get<bool>()) ||
+      (!(complete && all_met(verdicts)) && says_accurate))
     throw InputError(path + ": says that all criteria are met, which its verdicts do not");
 }
 

@@ -157,9 +157,7 @@ void hold_against_baseline(Document& document, const Document& baseline, const s
   document["baseline"] = {{"folder", path},
                           {"made_at", baseline.at("provenance").value("made at", "")},
                           {"changes", changes_between(baseline, document)}};
-  const auto unmet = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) {
-    return verdict.status != VerdictStatus::passed;
-  });
+  const long unmet = std::ssize(verdicts) - count_of(verdicts, VerdictStatus::passed);
   std::string headline = document.at("headline").get<std::string>();
   headline += unmet == 0 ? " Nothing moved since the baseline."
                          : fmt::format(" Since the baseline {} of {} criteria of regression are not met.",

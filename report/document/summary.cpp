@@ -18,7 +18,7 @@ std::string verdict_table(const std::vector<Verdict>& verdicts) {
   std::string text = "| verdict | kind | criterion | found |\n| --- | --- | --- | --- |\n";
   std::size_t left_out = 0;
   // Failures first: they are what the page is opened for.
-  for (const VerdictStatus status : {VerdictStatus::failed, VerdictStatus::not_run, VerdictStatus::passed})
+  for (const VerdictStatus status : statuses_by_urgency)
     for (const Verdict& verdict : verdicts) {
       if (verdict.status != status) continue;
       const std::string row = fmt::format(

@@ -59,8 +59,8 @@ Series line(const std::string& name, std::vector<double> x, std::vector<double> 
 const SeriesError* find_error(const Run& run, const std::vector<SeriesError>& errors, const FigureSpec& spec,
                               const std::string& column) {
   for (const SeriesError& error : errors)
-    if (!error.given_run && run.loaded.spec.references[error.reference].name == spec.reference &&
-        error.column == column)
+    if (!error.given_run && !error.exact &&
+        run.loaded.spec.references[error.reference].name == spec.reference && error.column == column)
       return &error;
   return nullptr;
 }
@@ -95,7 +95,8 @@ void add_given_differences(const Run& run, const FigureSpec& spec, const std::ve
   const Case& the_case = run.loaded.spec;
   const bool several = compared.size() > 1;
   for (const SeriesError& error : errors) {
-    const bool of_figure = error.given_run && the_case.references[error.reference].name == spec.reference &&
+    const bool of_figure = error.given_run && !error.exact &&
+                           the_case.references[error.reference].name == spec.reference &&
                            (error.column == spec.x || error.column == spec.y) && !error.times.empty();
     if (!of_figure) continue;
     panel.series.push_back(line(literal(given_name(error, the_case) + (several ? ": " + error.column : "")),

@@ -49,7 +49,7 @@ CaseRun run_case(const CaseText& text) {
     result.verdicts.push_back({verdict.name, std::string(word(verdict.kind)),
                                std::string(word(verdict.status)), verdict.value, verdict.limit, verdict.unit,
                                verdict.message});
-  result.all_met = !results.verdicts.empty() && all_passed(results.verdicts);
+  result.all_met = all_met(results.verdicts);
   result.steps = run.trajectory.counters.steps;
   result.relative_energy_drift = run.trajectory.relative_energy_drift();
   return result;

@@ -26,7 +26,7 @@ struct ProbeColumn {
 struct CaseVerdict {
   std::string name;    ///< "published: mid.y"
   std::string kind;    ///< "verification", "validation"
-  std::string status;  ///< "passed", "failed", "not run"
+  std::string status;  ///< "passed", "failed", "not run", "another model"
   double value;        ///< what was found, in `unit`; -1: not run
   double limit;        ///< what is allowed, in `unit`
   std::string unit;

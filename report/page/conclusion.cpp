@@ -68,7 +68,7 @@ std::string sentence_of(const Document& document, const std::string& clause) {
                          [&](const Verdict& v) { return v.status == status; });
   };
   const long failed = count(VerdictStatus::failed), not_run = count(VerdictStatus::not_run),
-             all = std::ssize(verdicts);
+             others = count(VerdictStatus::another_model), all = std::ssize(verdicts) - others;
   const std::string of_all = counted(all, "criterion", "criteria");
   if (!document.at("complete").get<bool>())
     return fmt::format(
@@ -80,16 +80,21 @@ std::string sentence_of(const Document& document, const std::string& clause) {
         all == 0   ? "it shows nothing of the case."
         : all == 1 ? "its one criterion could not be judged."
                    : fmt::format("none of its {} criteria could be judged.", all));
-  if (all == 0)
+  if (all == 0 && others == 0)
     return fmt::format("The {} completed and was held against nothing: how accurate it is cannot be told{}.",
                        run_of(document), clause);
 
-  std::vector<std::string> agreements, distances;
+  std::vector<std::string> agreements, distances, differences;
   for (const Document& reference : document.at("references")) {
     const std::string name = reference.at("name").get<std::string>();
     const std::vector<Verdict> own = verdicts_on(name, verdicts);
     if (own.empty()) continue;
     const std::string what = what_it_is(reference, document.at("references"));
+    if (reference.contains("model_differences") && own.front().status == VerdictStatus::another_model) {
+      differences.push_back(fmt::format("{} {} from {}, which are of another model",
+                                        number(own.front().value), own.front().unit, what));
+      continue;
+    }
     const bool met = std::none_of(own.begin(), own.end(),
                                   [](const Verdict& v) { return v.status == VerdictStatus::failed; });
     if (met)
@@ -101,13 +106,14 @@ std::string sentence_of(const Document& document, const std::string& clause) {
   std::vector<std::string> parts;
   if (!distances.empty()) parts.push_back("is " + joined(distances));
   if (!agreements.empty()) parts.push_back("agrees " + joined(agreements));
+  if (!differences.empty()) parts.push_back("is " + joined(differences));
   std::string text = failed > 0 ? fmt::format("{} of {} not met: the {} ", failed, of_all, run_of(document))
                                 : fmt::format("The {} ", run_of(document));
   if (!parts.empty())
     text += joined(parts);
   else
     text += failed > 0 ? "completed" : "completed, and what it was held against is met";
-  if (not_run == all)
+  if (all > 0 && not_run == all)
     text = fmt::format("The {} completed, but none of {} could be judged", run_of(document), of_all);
   else if (not_run > 0)
     text += fmt::format("; {} of {} could not be judged", not_run, of_all);

@@ -74,11 +74,13 @@ data error_rows(const Document& document) {
     const bool any = error.at("points").get<long>() > 0, length = any && unit == "m";
     data row;
     row["run"] = error.value("run", "Plumb");
-    row["reference"] = text_of(error, "reference");
+    row["reference"] =
+        text_of(error, "reference") + (error.value("against", "printed") == "exact" ? ": exact" : "");
     row["column"] = text_of(error, "column");
     row["series"] = text_of(error, "description");
     row["figure"] = text_of(error, "figure");
-    row["published"] = reference != nullptr && reference->at("kind") == "published";
+    row["published"] = reference != nullptr && reference->at("kind") == "published" &&
+                       error.value("against", "printed") != "exact";
     row["unit"] = unit;
     const Document& coverage = error.at("coverage");
     row["points"] =
@@ -99,6 +101,16 @@ data error_rows(const Document& document) {
   return rows;
 }
 
+namespace {
+
+data text_rows_of(const Document& texts, const std::string& key) {
+  data rows{data::type::list};
+  for (const Document& text : texts) rows.push_back(data{key, text.get<std::string>()});
+  return rows;
+}
+
+}  // namespace
+
 data reference_rows(const Document& document) {
   data rows{data::type::list};
   for (const Document& reference : document.at("references")) {
@@ -111,10 +123,13 @@ data reference_rows(const Document& document) {
     row["source"] = text_of(reference, "source");
     row["obtained"] = text_of(reference, "obtained");
     row["reason"] = text_of(reference, "reason");
+    row["exact"] = reference.value("exact", "");
+    row["has_exact"] = reference.contains("exact");
+    row.set("differences",
+            text_rows_of(reference.value("model_differences", Document::array()), "difference"));
+    row["has_model"] = reference.contains("model_differences");
     row["has_reason"] = !text_of(reference, "reason").empty();
-    data notes{data::type::list};
-    for (const Document& note : reference.at("notes")) notes.push_back(data{"note", note.get<std::string>()});
-    row.set("notes", notes);
+    row.set("notes", text_rows_of(reference.at("notes"), "note"));
     rows.push_back(row);
   }
   return rows;

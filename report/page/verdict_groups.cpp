@@ -8,6 +8,7 @@
 
 #include "report/base/document_value.h"
 #include "report/page/page_template.h"
+#include "report/page/verdict_html.h"
 
 namespace plumb {
 
@@ -36,22 +37,14 @@ std::string with_unit(double value, const std::string& unit) {
   return four_digits(value) + (unit == "1" ? "" : " " + unit);
 }
 
-/// Failed before not run before passed.
-int rank(VerdictStatus status) {
-  return status == VerdictStatus::failed ? 0 : status == VerdictStatus::not_run ? 1 : 2;
-}
-
 std::string margin(const Verdict& verdict) {
-  if (verdict.status == VerdictStatus::not_run || !std::isfinite(verdict.value)) return "–";
+  const bool judged = verdict.status == VerdictStatus::passed || verdict.status == VerdictStatus::failed;
+  if (!judged || !std::isfinite(verdict.value)) return "–";
   const double rest = verdict.limit - verdict.value;
   std::string text = with_unit(std::abs(rest), verdict.unit) + (rest >= 0 ? " to spare" : " too much");
   // Where nothing at all is allowed, there is no share of it.
   if (verdict.limit > 0) text += fmt::format(" ({:.3g} % of the limit)", 100 * verdict.value / verdict.limit);
   return text;
-}
-
-const char* class_of(VerdictStatus status) {
-  return status == VerdictStatus::passed ? "passed" : status == VerdictStatus::failed ? "failed" : "not-run";
 }
 
 data row_of(const Verdict& verdict) {
@@ -70,9 +63,8 @@ data row_of(const Verdict& verdict) {
 /// "2 failed, 1 not run, 3 passed"
 std::string counts(const std::vector<Verdict>& verdicts) {
   std::string text;
-  for (const VerdictStatus status : {VerdictStatus::failed, VerdictStatus::not_run, VerdictStatus::passed}) {
-    const auto n =
-        std::count_if(verdicts.begin(), verdicts.end(), [&](const Verdict& v) { return v.status == status; });
+  for (const VerdictStatus status : statuses_by_urgency) {
+    const long n = count_of(verdicts, status);
     if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, word(status));
   }
   return text;
@@ -89,13 +81,14 @@ std::vector<Group> groups_of(const std::vector<Verdict>& verdicts) {
     Group group{text, {}};
     for (const Verdict& verdict : verdicts)
       if (verdict.kind == text.kind) group.verdicts.push_back(verdict);
-    std::stable_sort(group.verdicts.begin(), group.verdicts.end(),
-                     [](const Verdict& a, const Verdict& b) { return rank(a.status) < rank(b.status); });
+    std::stable_sort(group.verdicts.begin(), group.verdicts.end(), [](const Verdict& a, const Verdict& b) {
+      return urgency(a.status) < urgency(b.status);
+    });
     groups.push_back(std::move(group));
   }
   std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
     const auto worst = [](const Group& g) {
-      return g.verdicts.empty() ? 3 : rank(g.verdicts.front().status);
+      return g.verdicts.empty() ? std::ssize(statuses_by_urgency) : urgency(g.verdicts.front().status);
     };
     return worst(a) < worst(b);
   });

@@ -20,18 +20,13 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
   for (const Verdict& verdict : verdicts) order.push_back(&verdict);
   // What failed comes first, then what was not run.
   std::stable_sort(order.begin(), order.end(), [](const Verdict* a, const Verdict* b) {
-    const auto rank = [](const Verdict* v) {
-      return v->status == VerdictStatus::failed ? 0 : v->status == VerdictStatus::not_run ? 1 : 2;
-    };
-    return rank(a) < rank(b);
+    return urgency(a->status) < urgency(b->status);
   });
   data rows{data::type::list};
   for (const Verdict* verdict : order) {
     data row;
     row["status"] = std::string(word(verdict->status));
-    row["class"] = verdict->status == VerdictStatus::passed   ? "passed"
-                   : verdict->status == VerdictStatus::failed ? "failed"
-                                                              : "not-run";
+    row["class"] = class_of(verdict->status);
     row["kind"] = std::string(word(verdict->kind));
     row["name"] = verdict->name;
     row["criterion"] = verdict->criterion;
@@ -39,7 +34,8 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
                        ? "not run"
                        : four_digits(verdict->value) + (verdict->unit == "1" ? "" : " " + verdict->unit);
     // Where nothing at all is allowed, there is no share of it.
-    row["share"] = verdict->status == VerdictStatus::not_run || !(verdict->limit > 0)
+    row["share"] = verdict->status == VerdictStatus::not_run ||
+                           verdict->status == VerdictStatus::another_model || !(verdict->limit > 0)
                        ? "–"
                        : fmt::format("{:.3g} %", 100 * verdict->value / verdict->limit);
     row["detail"] = verdict->detail;
@@ -53,6 +49,10 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
 std::string class_of_status(std::string status) {
   std::replace(status.begin(), status.end(), ' ', '-');
   return status;
+}
+
+std::string class_of(VerdictStatus status) {
+  return class_of_status(std::string(word(status)));
 }
 
 std::string verdict_html(const std::vector<Verdict>& verdicts) {

@@ -20,14 +20,15 @@ constexpr const char* assessment_file_name = "assessment.json";
 Assessment assess(const Run& run, Journal& journal, Stages& stages, Console& console) {
   Assessment assessment;
   Runner runner(journal, [&](const std::string& part, double share) { console.progress(part, share); });
-  if (run.loaded.spec.uncertainty) {
-    stages.begin("uncertainty");
-    assessment.uncertainty = run_uncertainty(run, runner);
-    console.end_progress();
-  }
   if (run.loaded.spec.error_budget) {
     stages.begin("error budget");
     assessment.error_budget = run_budget(run.loaded, runner);
+    console.end_progress();
+  }
+  if (run.loaded.spec.uncertainty) {
+    stages.begin("uncertainty");
+    assessment.uncertainty =
+        run_uncertainty(run, runner, assessment.error_budget ? &*assessment.error_budget : nullptr);
     console.end_progress();
   }
   return assessment;

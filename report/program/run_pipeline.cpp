@@ -46,17 +46,17 @@ ExitStatus status_of(const Document& document) {
   // An external run that failed was not solved here.
   if (!document.at("complete").get<bool>())
     return document.contains("computed_by") ? ExitStatus::criterion_not_met : ExitStatus::solver_failed;
-  const bool met = document.at("all_criteria_met").get<bool>() || document.at("verdicts").empty();
-  return met ? ExitStatus::done : ExitStatus::criterion_not_met;
+  return all_passed(verdicts_of(document)) ? ExitStatus::done : ExitStatus::criterion_not_met;
 }
 
 void say_verdicts(const std::vector<Verdict>& verdicts, Console& console) {
   for (const Verdict& verdict : verdicts) {
     const std::string status = fmt::format("{:<7}", word(verdict.status));
-    console.line(
-        fmt::format("  {} {:<12} {:<18} {}",
-                    verdict.status == VerdictStatus::passed ? console.good(status) : console.bad(status),
-                    word(verdict.kind), verdict.name, verdict.message));
+    console.line(fmt::format("  {} {:<12} {:<18} {}",
+                             verdict.status == VerdictStatus::passed          ? console.good(status)
+                             : verdict.status == VerdictStatus::another_model ? status
+                                                                              : console.bad(status),
+                             word(verdict.kind), verdict.name, verdict.message));
   }
 }
 

@@ -26,7 +26,7 @@ Document document_of(const StudyReport& report) {
   json["title"] = report.loaded.spec.title;
   json["headline"] = report.headline;
   // Where there is none, nothing is met.
-  json["all_criteria_met"] = report.complete && !report.verdicts.empty() && all_passed(report.verdicts);
+  json["all_criteria_met"] = report.complete && all_met(report.verdicts);
   json["verdicts"] = Document::array();
   for (const Verdict& verdict : report.verdicts) json["verdicts"].push_back(verdict_json(verdict));
   json.update(report.results);

@@ -32,9 +32,11 @@ std::string drift_in_words(const Trajectory& trajectory) {
 
 namespace {
 
-long count_of(const std::vector<Verdict>& verdicts, VerdictStatus status) {
-  return std::count_if(verdicts.begin(), verdicts.end(),
-                       [&](const Verdict& verdict) { return verdict.status == status; });
+/// ", and 2 comparisons with figures of another model are shown"; empty for none.
+std::string beside(long others) {
+  if (others == 0) return "";
+  return fmt::format(", and {} with figures of another model {} shown",
+                     counted(others, "comparison", "comparisons"), others == 1 ? "is" : "are");
 }
 
 /// Those of the run that is reported.
@@ -48,7 +50,7 @@ Outcome judged_outcome(const Results& results) {
   if (!results.solved()) return results.run.trajectory.outcome;
   const std::vector<Verdict> own = own_verdicts(results);
   if (count_of(own, VerdictStatus::failed) > 0) return Outcome::inaccurate;
-  return !own.empty() && all_passed(results.verdicts) ? Outcome::accurate : Outcome::completed;
+  return all_passed(results.verdicts) && all_met(own) ? Outcome::accurate : Outcome::completed;
 }
 
 /// "known: tip.y is not met", "known: tip.y and 2 other criteria are not run"; empty for none of that status.
@@ -78,7 +80,7 @@ std::string given_in_words(const Results& results) {
     long all = 0, met = 0;
     for (const Verdict& verdict : results.verdicts) {
       if (!verdict.name.starts_with(name + ": ")) continue;
-      ++all;
+      all += verdict.status == VerdictStatus::another_model ? 0 : 1;
       met += verdict.status == VerdictStatus::passed ? 1 : 0;
     }
     const GivenDistance* worst = nullptr;
@@ -119,8 +121,9 @@ Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSect
 }
 
 std::string met_in_words(const std::vector<Verdict>& verdicts) {
-  return fmt::format("{} of {} met.", count_of(verdicts, VerdictStatus::passed),
-                     counted(std::ssize(verdicts), "criterion", "criteria"));
+  const long others = count_of(verdicts, VerdictStatus::another_model);
+  return fmt::format("{} of {} met{}.", count_of(verdicts, VerdictStatus::passed),
+                     counted(std::ssize(verdicts) - others, "criterion", "criteria"), beside(others));
 }
 
 std::string outcome_reason(const Results& results) {
@@ -131,9 +134,11 @@ std::string outcome_reason(const Results& results) {
     case Outcome::inaccurate:
       return those_in_words(all, VerdictStatus::failed);
     case Outcome::completed: {
-      if (all.empty() || count_of(all, VerdictStatus::not_run) == std::ssize(all))
-        return "not held against anything";
-      if (count_of(all, VerdictStatus::not_run) > 0) return "not held against every reference";
+      const long not_run = count_of(all, VerdictStatus::not_run),
+                 others = count_of(all, VerdictStatus::another_model);
+      if (not_run + others == std::ssize(all))
+        return others == 0 ? "not held against anything" : "held against figures of another model only";
+      if (not_run > 0) return "not held against every reference";
       const std::string failed = those_in_words(results.verdicts, VerdictStatus::failed);
       return failed.empty() ? those_in_words(results.verdicts, VerdictStatus::not_run) : failed;
     }
@@ -148,7 +153,9 @@ std::string headline(const Results& results) {
     return fmt::format("The integration did not finish ({}): {}.", word(trajectory.outcome),
                        trajectory.message);
   const std::vector<Verdict> own = own_verdicts(results);
-  const auto all = std::ssize(results.verdicts), failed = count_of(results.verdicts, VerdictStatus::failed),
+  const long others = count_of(results.verdicts, VerdictStatus::another_model),
+             all = std::ssize(results.verdicts) - others,
+             failed = count_of(results.verdicts, VerdictStatus::failed),
              not_run = count_of(results.verdicts, VerdictStatus::not_run);
   std::string text = outcome_in_words(results) + " ";
   if (all == 0)
@@ -160,6 +167,7 @@ std::string headline(const Results& results) {
   else
     text += fmt::format("Of {}, {} not met and {} not run", counted(all, "criterion", "criteria"), failed,
                         not_run);
+  text += beside(others);
 
   const Run& run = results.run;
   std::string distances;
@@ -171,11 +179,13 @@ std::string headline(const Results& results) {
       if (!worst || !(error.max <= worst->max)) worst = &error;
     }
     if (!worst) continue;
-    distances += fmt::format(
-        "{} {:.3g} {} from the {} figures (at {} of {} {}s)", distances.empty() ? "" : " and", worst->max,
-        worst->unit, run.loaded.references[r].kind == ReferenceKind::published ? "published" : "computed",
-        worst->times.size(), run.loaded.references[r].times.size(),
-        worst->coverage.of_modes ? "mode" : "time");
+    distances += fmt::format("{} {:.3g} {} from the {} figures (at {} of {} {}s)",
+                             distances.empty() ? "" : " and", worst->max, worst->unit,
+                             worst->exact                                                ? "exact"
+                             : run.loaded.references[r].kind == ReferenceKind::published ? "published"
+                                                                                         : "computed",
+                             worst->times.size(), run.loaded.references[r].times.size(),
+                             worst->coverage.of_modes ? "mode" : "time");
   }
   if (!distances.empty()) text += fmt::format(": {} is at most{}", run_in_words(run.loaded.spec), distances);
   text += "." + given_in_words(results);

@@ -24,6 +24,23 @@ Magnitude compared_scale(const Reference& reference, const ReferenceUse& use, co
   return scale;
 }
 
+PrintError print_error(const SeriesError& error, const ReferenceSeries& series, std::size_t first,
+                       const std::vector<std::size_t>& rows) {
+  PrintError print;
+  std::vector<double> difference;
+  for (const std::size_t row : rows) {
+    const double exact = series.exact[first + row];
+    difference.push_back(series.values[first + row] - exact);
+    print.greatest = std::max(print.greatest, std::abs(exact));
+  }
+  const DifferenceNorms norms = norms_of(error.times, difference);
+  print.max = norms.max;
+  print.max_time = norms.max_time;
+  print.rms = norms.rms;
+  print.uncertainty = series.exact_uncertainty;
+  return print;
+}
+
 void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vector<SeriesError>& result) {
   const Case& spec = run.loaded.spec;
   for (std::size_t r = 0; r < spec.references.size(); ++r) {
@@ -53,17 +70,28 @@ void add_errors(const Run& run, std::optional<std::size_t> given_run, std::vecto
           static_cast<std::size_t>(std::find_if(reference.times.begin(), reference.times.end(),
                                                 [&](double t) { return use.coverage.has(t); }) -
                                    reference.times.begin());
-      for (std::size_t k = 0; k < covered.times.size(); ++k) {
-        error.times.push_back(claimed[covered.times[k]]);
-        error.expected.push_back(series.values[first + covered.times[k]]);
-        error.difference.push_back(sampled.values.find(pair.column)->values[covered.rows[0][k]] -
-                                   error.expected.back());
-      }
-      const DifferenceNorms norms = norms_of(error.times, error.difference);
       error.scale = compared_scale(reference, use, error.unit, spec.cable.length);
-      error.max = norms.max;
-      error.max_time = norms.max_time;
-      error.rms = norms.rms;
+      for (const std::size_t k : covered.times) error.times.push_back(claimed[k]);
+      const auto hold_against = [&](const std::vector<double>& figures) {
+        error.expected.clear();
+        error.difference.clear();
+        for (std::size_t k = 0; k < covered.times.size(); ++k) {
+          error.expected.push_back(figures[first + covered.times[k]]);
+          error.difference.push_back(sampled.values.find(pair.column)->values[covered.rows[0][k]] -
+                                     error.expected.back());
+        }
+        const DifferenceNorms norms = norms_of(error.times, error.difference);
+        error.max = norms.max;
+        error.max_time = norms.max_time;
+        error.rms = norms.rms;
+      };
+      hold_against(series.values);
+      if (!series.exact.empty()) error.print = print_error(error, series, first, covered.times);
+      result.push_back(error);
+      if (series.exact.empty()) continue;
+      hold_against(series.exact);
+      error.exact = true;
+      error.print.reset();
       result.push_back(std::move(error));
     }
   }

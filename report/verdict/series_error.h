@@ -18,11 +18,22 @@ struct Magnitude {
   void add(const std::vector<double>& values);
 };
 
+/// How far the printed figures of a comparison are from the exact ones.
+struct PrintError {
+  double max = 0;          ///< greatest |printed − exact|, in the unit of the series
+  double max_time = 0;     ///< s, where it is
+  double rms = 0;          ///< over the times that are compared
+  double greatest = 0;     ///< greatest |exact|
+  double uncertainty = 0;  ///< of the exact ones, half-width
+};
+
 /// How far one column of a run is from one series of a reference. Distances are in `unit`, run minus
 /// reference.
 struct SeriesError {
   std::optional<std::size_t> given_run;  ///< which [[run]] of the case; nothing: the run that is reported
   std::size_t reference = 0;             ///< which [[reference]] of the case
+  bool exact = false;                    ///< against Reference::exact, not against what it gives as printed
+  std::optional<PrintError> print;       ///< of what is printed where there are exact figures, else none
   std::string series;                    ///< "mid_y"
   std::string column;                    ///< "mid.y"
   std::string unit;
@@ -38,8 +49,8 @@ struct SeriesError {
   Magnitude scale;
 };
 
-/// The errors of every comparison of the case, in its order: those of the run that is reported, and then
-/// those of each external run beside it.
+/// The errors of every comparison of the case, in its order, that against exact figures after that against
+/// the printed ones: those of the run that is reported, and then those of each external run beside it.
 std::vector<SeriesError> series_errors(const Run& run);
 
 /// A run at times (s): that which is reported, or the k-th given one.

@@ -29,25 +29,70 @@ std::string_view word(VerdictStatus status) {
       return "passed";
     case VerdictStatus::failed:
       return "failed";
+    case VerdictStatus::another_model:
+      return "another model";
   }
   return "not run";
 }
+
+int urgency(VerdictStatus status) {
+  const auto* const found = std::find(statuses_by_urgency.begin(), statuses_by_urgency.end(), status);
+  return static_cast<int>(found - statuses_by_urgency.begin());
+}
+
+namespace {
+
+/// "at 0.5 s", "of mode 3"
+std::string place_of(double time, const Coverage& coverage) {
+  return fmt::format("{} {:.4g}{}", coverage.of_modes ? "of mode" : "at", time,
+                     coverage.of_modes ? "" : " s");
+}
+
+/// What was found of the printed figures: "the print is up to 0.03 m (3.3 %) off the exact figures, at 1 s".
+std::string print_in_words(const SeriesError& error) {
+  const PrintError& print = *error.print;
+  if (print.max <= print.uncertainty) return "the print is exact to the uncertainty of the exact figures";
+  return fmt::format(
+      "the print is up to {:.3g} {}{} off the exact figures, {}", print.max, error.unit,
+      print.greatest > 0 ? fmt::format(" ({:.2g} % of the greatest)", 100 * print.max / print.greatest) : "",
+      place_of(print.max_time, error.coverage));
+}
+
+/// What is different in the model of a reference, and by how much that moves the figures.
+std::string model_in_words(const SeriesError& error, const Reference& reference) {
+  std::string text = "of another model: ";
+  for (const std::string& difference : reference.model->differences)
+    text += (&difference == &reference.model->differences.front() ? "" : "; ") + difference;
+  if (const auto stated = reference.find(error.series)->model_error)
+    text +=
+        fmt::format("; this moves it by {:.3g} {} ({})", *stated, error.unit, reference.model->error_basis);
+  return text;
+}
+
+}  // namespace
 
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors) {
   std::vector<Verdict> result;
   for (const SeriesError& error : errors) {
     const ReferenceUse& use = run.loaded.spec.references[error.reference];
     const Reference& reference = run.loaded.references[error.reference];
+    const bool published = reference.kind == ReferenceKind::published && !error.exact;
+    const bool other_model = reference.model && !error.exact;
     Verdict verdict;
-    verdict.kind =
-        reference.kind == ReferenceKind::published ? VerdictKind::validation : VerdictKind::verification;
+    verdict.kind = published ? VerdictKind::validation : VerdictKind::verification;
     const std::string given = given_name(error, run.loaded.spec);
     const std::string of = given.empty() ? reported_name(run.loaded.spec) : given;
-    verdict.name = (given.empty() ? "" : given + ": ") + use.name + ": " + error.column;
-    verdict.criterion = fmt::format("{} |{} − {}| of {} ≤ {:.3g} {}", word(use.norm), of,
-                                    reference.kind == ReferenceKind::published ? "published" : "computed",
-                                    error.column, use.tolerance, error.unit);
+    verdict.name = fmt::format("{}{}: {}{}", given.empty() ? "" : given + ": ", use.name,
+                               error.exact ? "exact: " : "", error.column);
     verdict.limit = use.tolerance;
+    // What is printed may be as far from the run as it is from what is right.
+    if (error.print && !other_model)
+      verdict.limit += use.norm == Norm::max ? error.print->max : error.print->rms;
+    verdict.criterion = fmt::format("{} |{} − {}| of {} ≤ {:.3g} {}", word(use.norm), of,
+                                    error.exact ? "exact"
+                                    : published ? "published"
+                                                : "computed",
+                                    error.column, verdict.limit, error.unit);
     verdict.unit = error.unit;
     verdict.reason = use.reason;
     verdict.coverage = error.coverage;
@@ -60,15 +105,18 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
       verdict.detail = error.coverage.lacking;
     } else {
       verdict.value = use.norm == Norm::max ? error.max : error.rms;
-      verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
-      verdict.detail = fmt::format("the greatest {}; {}",
-                                   error.coverage.of_modes ? fmt::format("of mode {:g}", error.max_time)
-                                                           : fmt::format("at {:.4g} s", error.max_time),
+      verdict.status = other_model                            ? VerdictStatus::another_model
+                       : within(verdict.value, verdict.limit) ? VerdictStatus::passed
+                                                              : VerdictStatus::failed;
+      verdict.detail = fmt::format("the greatest {}; {}", place_of(error.max_time, error.coverage),
                                    in_words(error.coverage, error.unit));
       hold_to_scale(verdict, error.scale, "the reference");
+      if (error.print) verdict.detail += "; " + print_in_words(error);
+      if (other_model) verdict.detail += "; " + model_in_words(error, reference);
     }
-    verdict.message = verdict.status == VerdictStatus::not_run
-                          ? verdict.detail
+    verdict.message = verdict.status == VerdictStatus::not_run ? verdict.detail
+                      : verdict.status == VerdictStatus::another_model
+                          ? fmt::format("{:.3g} {}, {}", verdict.value, error.unit, verdict.detail)
                           : fmt::format("{:.3g} {} of {:.3g} {} allowed, {}", verdict.value, error.unit,
                                         verdict.limit, error.unit, verdict.detail);
     result.push_back(std::move(verdict));
@@ -97,9 +145,17 @@ bool within(double value, double limit) {
   return std::isfinite(value) && value >= 0 && value <= limit;
 }
 
+long count_of(const std::vector<Verdict>& verdicts, VerdictStatus status) {
+  return std::count_if(verdicts.begin(), verdicts.end(),
+                       [&](const Verdict& verdict) { return verdict.status == status; });
+}
+
 bool all_passed(const std::vector<Verdict>& verdicts) {
-  return std::all_of(verdicts.begin(), verdicts.end(),
-                     [](const Verdict& verdict) { return verdict.status == VerdictStatus::passed; });
+  return count_of(verdicts, VerdictStatus::failed) == 0 && count_of(verdicts, VerdictStatus::not_run) == 0;
+}
+
+bool all_met(const std::vector<Verdict>& verdicts) {
+  return all_passed(verdicts) && count_of(verdicts, VerdictStatus::passed) > 0;
 }
 
 }  // namespace plumb

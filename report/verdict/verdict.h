@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,13 +18,26 @@ enum class VerdictKind {
   performance,   ///< work against error
 };
 
-enum class VerdictStatus { not_run, passed, failed };
+enum class VerdictStatus {
+  not_run,
+  passed,
+  failed,
+  another_model,  ///< held against figures of another model: shown, and neither passed nor failed
+};
+
+/// All of them, those that are to be read first in front.
+inline constexpr std::array statuses_by_urgency{VerdictStatus::failed, VerdictStatus::not_run,
+                                                VerdictStatus::another_model, VerdictStatus::passed};
+
+/// Place among those.
+int urgency(VerdictStatus status);
 
 /// One criterion of a case and what became of it.
 struct Verdict {
   VerdictKind kind = VerdictKind::verification;
   VerdictStatus status = VerdictStatus::not_run;
-  std::string name;       ///< unique in a report: "published: mid.y", "chrono: published: mid.y"
+  /// unique in a report: "published: mid.y", "published: exact: mid.y", "chrono: published: mid.y"
+  std::string name;
   std::string criterion;  ///< "max |Plumb − published| of mid.y ≤ 1e-05 m"
   double value = -1;      ///< what was found, in `unit`; -1: not run
   double limit = 0;       ///< what is allowed, in `unit`
@@ -35,12 +49,13 @@ struct Verdict {
 };
 
 std::string_view word(VerdictKind);
-std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed"
+std::string_view word(VerdictStatus);  ///< "not run", "passed", "failed", "another model"
 
-/// A verdict for each comparison of the case: validation against published figures, verification against
-/// computed ones, of the run that is reported and of each given one. Not run where the run did not complete,
-/// is of another cable, or covers too little of what the case claims, or where a run that does nothing would
-/// be within the tolerance.
+/// A verdict for each of `errors`, those of the run that is reported and of each given one: validation
+/// against published figures, verification against computed and exact ones. Where there are exact ones, a
+/// published figure is allowed to be off by as much as it is from them. Not run where the run did not
+/// complete, is of another cable, or covers too little of what the case claims, or where a run that does
+/// nothing would be within the tolerance.
 std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& errors);
 
 /// Takes back that a distance passed where its limit is more than all that it is a distance from, and says so
@@ -50,6 +65,12 @@ void hold_to_scale(Verdict& verdict, const Magnitude& scale, const std::string& 
 /// True for a distance that is a finite number of at least 0 and no greater than its limit.
 bool within(double value, double limit);
 
+long count_of(const std::vector<Verdict>& verdicts, VerdictStatus status);
+
+/// True where none failed or was not run; those against another model do not count.
 bool all_passed(const std::vector<Verdict>& verdicts);
+
+/// True where, beside that, one passed.
+bool all_met(const std::vector<Verdict>& verdicts);
 
 }  // namespace plumb

@@ -19,6 +19,7 @@ struct MadeReference {
   std::string series = "y";
   double uncertainty = 0.01;
   std::string basis = "guess";
+  std::string more = {};  ///< tables after that of the series
 
   NamedText text() const {
     return {file, fmt::format(R"(title = "{}"
@@ -35,8 +36,8 @@ figure = "Fig. 1"
 unit = "m"
 uncertainty = {}
 uncertainty_basis = "{}"
-)",
-                              title, kind, source, series, rows, series, uncertainty, basis)};
+{})",
+                              title, kind, source, series, rows, series, uncertainty, basis, more)};
   }
 };
 

@@ -8,7 +8,9 @@
 namespace plumb {
 
 /// A run of three outputs made by hand: a vertical cable whose tip falls as −t², beside figures that know it.
-inline Run run_with(const std::string& title, const std::string& extra = "") {
+/// `of_reference` are further tables of those.
+inline Run run_with(const std::string& title, const std::string& extra = "",
+                    const std::string& of_reference = "") {
   CaseSource source;
   source.file = {"made/by<hand>.toml", "title = \"" + title + "\"\n" + soft_cable + R"(elements = 1
 [method]
@@ -27,9 +29,11 @@ file = "known.toml"
 compare = { y = "tip.y" }
 tolerance = 0.125
 )" + extra};
-  source.references = {
-      MadeReference{.rows = "[0.0, 0.0], [0.5, -0.25], [1.0, -0.9]", .title = "known <b>", .source = "a & b"}
-          .text()};
+  source.references = {MadeReference{.rows = "[0.0, 0.0], [0.5, -0.25], [1.0, -0.9]",
+                                     .title = "known <b>",
+                                     .source = "a & b",
+                                     .more = of_reference}
+                           .text()};
   Run run;
   run.loaded = load_case(source);
   run.trajectory.outcome = Outcome::completed;

@@ -28,8 +28,9 @@ StepResult ImplicitStage::solve(const StageTerms& stage, const Instant& at, doub
                                 Eigen::VectorXd& x, double leftover) {
   const Cable& cable = dynamics_.cable();
   const double stiffness = stage.force * stage.reach;
-  bool renew = !has_factors_ || factored_mass_ != stage.mass || factored_stiffness_ != stiffness ||
-               factored_reach_ != at.reach || wear_.is_worn();
+  if (factored_mass_ != stage.mass || factored_stiffness_ != stiffness || factored_reach_ != at.reach)
+    has_factors_ = false;
+  bool renew = !has_factors_ || wear_.is_worn();
   bool old = !renew;  // the matrix is that of an earlier step
   StageTerms terms = stage;
   const auto metres = [&](const StageCorrection& correction) {
@@ -39,8 +40,12 @@ StepResult ImplicitStage::solve(const StageTerms& stage, const Instant& at, doub
   x.resize(dynamics_.size());
   double before = 0;  // size of the correction before this one
   for (int i = 0; i < iterations_; ++i) {
-    if (renew) has_factors_ = false;
-    const StageCorrection correction = dynamics_.correct(terms, renew ? stiffness : 0, next_, at);
+    if (renew) {
+      if (has_factors_) turn_.lasted(wear_.steps());
+      has_factors_ = false;
+    }
+    const StageCorrection correction =
+        dynamics_.correct(terms, renew ? stiffness : 0, next_, at, turn_.turns());
     if (correction.unsound >= 0) {
       best_kernels().add_up(cable.nodes(), terms.point().into(next_));
       has_factors_ = false;

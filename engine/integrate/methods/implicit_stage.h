@@ -30,6 +30,7 @@ class ImplicitStage {
   Dynamics& dynamics_;
   bool has_factors_ = false;
   MatrixWear wear_;
+  TurnChoice turn_;
   double factored_mass_ = 0, factored_stiffness_ = 0, factored_reach_ = 0;
   Eigen::VectorXd next_;
 };

@@ -80,10 +80,42 @@ class MatrixWear {
     corrections_ += corrections;
     recent_ = steps_ > 1 ? recent_ + (corrections - recent_) / latest : corrections;
   }
+  /// That the matrix has lasted.
+  double steps() const { return steps_; }
   bool is_worn() const { return steps_ > 0 && recent_ > (price_ + corrections_) / steps_; }
 
  private:
   double price_, recent_ = 0, corrections_ = 0, steps_ = 0;
+};
+
+/// Whether a matrix that is kept is turned with the nodes (Dynamics::correct). That costs each correction
+/// some tenth more, and pays where a matrix lasts a few steps without it and twice as many with it.
+class TurnChoice {
+ public:
+  bool turns() const { return turns_; }
+  /// A matrix is renewed that has lasted so many steps.
+  void lasted(double steps) {
+    // One that does not outlast a step is outdone by more than turns.
+    constexpr double fewest = 1, few = 10, many = 48, gain = 2;
+    constexpr int tried = 4, pause = 64;
+    if (pause_ > 0) {
+      --pause_;
+      return;
+    }
+    mean_ = (mean_ * count_ + steps) / (count_ + 1);
+    if (++count_ < tried) return;
+    const bool is_of_use = !turns_ || mean_ >= gain * plain_;
+    if (!turns_) plain_ = mean_;
+    turns_ = turns_ ? is_of_use && mean_ < many : mean_ >= fewest && mean_ < few;
+    pause_ = is_of_use ? 0 : pause;
+    count_ = 0;
+    mean_ = 0;
+  }
+
+ private:
+  bool turns_ = false;
+  double mean_ = 0, plain_ = 0;  // steps that a matrix lasts: at present, and without turning
+  int count_ = 0, pause_ = 0;    // matrices
 };
 
 /// Whether a correction of that size, m, after one of `before`, is round-off, which gets no smaller.

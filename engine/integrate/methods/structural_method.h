@@ -81,6 +81,7 @@ class StructuralMethod : public OneStepMethod {
   Eigen::VectorXd old_force_, force_;               // f(q₀) and f(q₁), where the scheme needs them
   Guess plain_ = coasting, next_plain_ = coasting;  // the one of the first two that serves
   Guess first_guess_ = coasting, next_guess_ = coasting;
+  int steps_since_look_ = 0;   // of nearest_guess
   double h_ = 0, last_h_ = 0;  // of this step and the last, s; 0: none
 };
 

@@ -8,8 +8,6 @@
 namespace plumb {
 namespace {
 
-constexpr double certain_factor = 1.25;
-constexpr double uncertain_factor = 3;
 constexpr double mesh_ratio = 2;
 
 std::vector<double> greatest_changes(const std::vector<double>& a, const std::vector<double>& b) {
@@ -26,8 +24,8 @@ std::vector<double> greatest_changes(const std::vector<double>& a, const std::ve
 
 }  // namespace
 
-double counted_order(double order) {
-  return std::clamp(order, least_mesh_order, mesh_order);
+bool is_possible_order(double order) {
+  return order >= least_possible_order && order <= greatest_possible_order;
 }
 
 MeshIndex mesh_index(const std::vector<double>& fine, const std::vector<double>& medium,
@@ -38,15 +36,12 @@ MeshIndex mesh_index(const std::vector<double>& fine, const std::vector<double>&
   const std::vector<double> change32 = greatest_changes(medium, coarse);
   result.order =
       grid_convergence(change21.back(), change32.back(), mesh_ratio, mesh_ratio, certain_factor).order;
-  if (result.order < 0) return result;
-  constexpr double least_order = 1, slack = 0.5;
-  const bool near = result.order >= least_order && result.order <= mesh_order + slack;
-  result.safety_factor = near ? certain_factor : uncertain_factor;
-  const double growth = std::pow(mesh_ratio, counted_order(result.order));
+  if (!is_possible_order(result.order)) return result;
+  const double growth = std::pow(mesh_ratio, std::min(result.order, mesh_order));
   for (std::size_t k = 0; k < fine.size(); ++k) {
     const double error =
         of == OfThree::finest ? change21[k] / (growth - 1) : change32[k] * growth / (growth - 1);
-    result.values.push_back(result.safety_factor * error);
+    result.values.push_back(certain_factor * error);
   }
   return result;
 }
@@ -57,6 +52,12 @@ std::vector<double> two_run_index(const std::vector<double>& run, const std::vec
   std::vector<double> index = greatest_changes(run, finer);
   for (double& value : index) value *= uncertain_factor * growth / (growth - 1);
   return index;
+}
+
+std::vector<double> two_run_bound(const std::vector<double>& run, const std::vector<double>& other) {
+  std::vector<double> bound = greatest_changes(run, other);
+  for (double& value : bound) value *= uncertain_factor;
+  return bound;
 }
 
 }  // namespace plumb

@@ -67,9 +67,9 @@ void check_budget(const ErrorBudget& budget, const Case& spec) {
 Assessment read(const std::string& text, const std::string& file, const Run& run) {
   const Json json = parse_json<Json>(text, file);
   if (json.at("kind").get<std::string>() != "assessment") throw std::runtime_error("it is no assessment");
-  if (const int version = json.at("version").get<int>(); version < 1 || version > assessment_version)
+  if (const int version = json.at("version").get<int>(); version != assessment_version)
     throw std::runtime_error(
-        fmt::format("its version is {}, this program reads up to {}", version, assessment_version));
+        fmt::format("its version is {}, this program reads version {}", version, assessment_version));
   Assessment assessment;
   if (json.contains("uncertainty")) {
     assessment.uncertainty = uncertainty_from_json(json.at("uncertainty"));

@@ -18,8 +18,8 @@ struct Assessment {
   bool empty() const { return !uncertainty && !error_budget; }
 };
 
-/// Version of assessment.json; a reader refuses a later one.
-inline constexpr int assessment_version = 1;
+/// Version of assessment.json; a reader refuses another one.
+inline constexpr int assessment_version = 2;
 
 /// assessment.json, which lies beside run.h5.
 std::string encode_assessment(const Assessment& assessment);

@@ -12,6 +12,7 @@ template <class Archive>
 void members(Archive& a, SeriesDistance& distance) {
   a("series", distance.series);
   a("from_reference", distance.from_reference);
+  a("difference", distance.difference);
   if (!a.has("from_base", distance.from_base.has_value())) return;
   if (!distance.from_base) distance.from_base.emplace();
   a("from_base", distance.from_base->at_reference);
@@ -36,6 +37,9 @@ void members(Archive& a, BudgetEntry& entry) {
   a("name", entry.name);
   a("reason", entry.reason);
   a("together", entry.together);
+  a("numerical", entry.numerical);
+  a("of_mesh", entry.of_mesh);
+  a("of_run", entry.of_run);
   a("run", entry.run);
 }
 
@@ -52,7 +56,7 @@ void members(Archive& a, ErrorBudget& budget) {
   a("reference", budget.reference);
   a("left_out", budget.left_out);
   a("interval", budget.interval);
-  a("reference_times", budget.reference_times);
+  a("time", budget.times);
   a("seconds", budget.seconds);
   a("series", budget.series);
   a("base", budget.base);
@@ -70,6 +74,9 @@ void check(const BudgetRun& run, const ErrorBudget& budget) {
   for (std::size_t k = 0; k < count; ++k) {
     if (run.distances[k].series != budget.series[k].series)
       throw std::runtime_error("a run has the distances of other series");
+    if (const std::size_t times = run.distances[k].difference.size();
+        times != 0 && times != budget.times.size())
+      throw std::runtime_error(fmt::format("{} differences for {} times", times, budget.times.size()));
     if (run.distances[k].from_base.has_value() != run.distances[0].from_base.has_value())
       throw std::runtime_error("a run has distances from the base for some series only");
   }

@@ -3,14 +3,15 @@
 #include <string>
 
 #include "engine/case/reference.h"
+#include "engine/study/uncertainty/uncertainty.h"
 
 namespace plumb {
 
-/// What |E| beside k u says, u the validation uncertainty: "not distinguishable at this uncertainty", or
-/// between which bounds the error is. `whole` is false where a part of u is not estimated, so that it may be
-/// greater. `published` references tell of the model, computed ones of the numerical solution alone.
-std::string comparison_finding(double error, double expanded, const std::string& unit, bool published,
-                               bool whole);
+/// What E and k u over all times of a series say: "not distinguishable at any of 101 times", or at how many
+/// they are, from when to when, and between which bounds the error is where it is clearest. What a part that
+/// is not estimated leaves open is said. Published references tell of the model, computed ones of the
+/// numerical solution alone. `beyond`, `error` and `validation` are to be known.
+std::string comparison_finding(const SeriesUncertainty& series);
 
 /// How the half width that a reference states was made a standard uncertainty.
 struct DataUncertainty {

@@ -22,6 +22,8 @@ struct SeriesDistance {
   std::string series;                       ///< "mid_y"
   double from_reference = -1;               ///< greatest over the times of the reference; -1: none
   std::optional<BudgetDistance> from_base;  ///< nothing of the base itself
+  /// This run minus the base at ErrorBudget::times; none of the base itself.
+  std::vector<double> difference;
 };
 
 /// A computation of a budget and how it went.
@@ -42,6 +44,9 @@ struct BudgetEntry {
   std::string name;
   std::string reason;
   bool together = true;
+  bool numerical = false;  ///< an error of the published computation's own numerics
+  bool of_mesh = false;    ///< it changes the number of elements
+  bool of_run = false;  ///< but for its method the run that is reported has it, and the published one has not
   BudgetRun run;
 };
 
@@ -54,10 +59,10 @@ struct BudgetSeries {
 
 /// What each of the things in which a published computation differs from the exact one moves its series by.
 struct ErrorBudget {
-  std::string reference;  ///< name of the [[reference]]
-  std::string left_out;   ///< why nothing was computed; empty: all was
-  double interval = 0;    ///< s; 0: distances at the times of the reference only
-  std::size_t reference_times = 0;
+  std::string reference;      ///< name of the [[reference]]
+  std::string left_out;       ///< why nothing was computed; empty: all was
+  double interval = 0;        ///< s; 0: distances at the times of the reference only
+  std::vector<double> times;  ///< s, those of the reference within the run
   std::vector<BudgetSeries> series;
   BudgetRun base;
   std::vector<BudgetEntry> entries;

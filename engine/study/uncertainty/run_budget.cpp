@@ -61,6 +61,18 @@ Computed compute(const Case& spec, const std::vector<double>& reference_times, d
   return computed;
 }
 
+bool sets(const std::vector<std::string>& overrides, const std::string& key) {
+  return std::any_of(overrides.begin(), overrides.end(),
+                     [&](const std::string& text) { return text.starts_with(key + "="); });
+}
+
+/// Whether a case is already as an item would make it, but for the method.
+bool is_in(const LoadedCase& loaded, const BudgetItemSpec& item) {
+  const Case &own = loaded.spec, changed = load_changed(loaded.source, item.overrides).spec;
+  return changed.cable == own.cable && changed.start == own.start && changed.supports == own.supports &&
+         changed.loads == own.loads && changed.masses == own.masses && changed.damping == own.damping;
+}
+
 struct Greatest {
   double value = -1;
   double time = -1;
@@ -91,7 +103,9 @@ void measure(Computed& computed, const Computed& base, const ErrorBudget& budget
     distance.from_reference =
         greatest_difference(computed.at_reference.times, own, reference.find(series.series)->values).value;
     if (&computed == &base || !base.run.completed()) continue;
-    const Greatest there = greatest_difference(computed.at_reference.times, own, values(base.at_reference));
+    const std::vector<double>& of_base = values(base.at_reference);
+    for (std::size_t k = 0; k < own.size(); ++k) distance.difference.push_back(own[k] - of_base[k]);
+    const Greatest there = greatest_difference(computed.at_reference.times, own, of_base);
     Greatest often;
     if (budget.interval > 0)
       often = greatest_difference(computed.sampled.times, values(computed.sampled), values(base.sampled));
@@ -156,12 +170,14 @@ ErrorBudget run_budget(const LoadedCase& loaded, Runner& runner) {
   }
   all = std::move(made);
   for (Computed& computed : all) measure(computed, all.front(), budget, reference);
-  budget.reference_times = within(reference.times, loaded.spec.time.end).size();
+  budget.times = within(reference.times, loaded.spec.time.end);
   budget.base = std::move(all[0].run);
   budget.together = std::move(all[1].run);
   for (std::size_t k = 0; k < spec.items.size(); ++k) {
     const BudgetItemSpec& item = spec.items[k];
-    budget.entries.push_back({item.name, item.reason, item.together, std::move(all[2 + k].run)});
+    budget.entries.push_back({item.name, item.reason, item.together, item.numerical,
+                              sets(item.overrides, "cable.elements"), is_in(loaded, item),
+                              std::move(all[2 + k].run)});
   }
   budget.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return budget;

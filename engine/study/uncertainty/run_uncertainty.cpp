@@ -11,6 +11,7 @@
 #include "engine/run/probes_json.h"
 #include "engine/run/sampled_run.h"
 #include "engine/study/reference/comparable_times.h"
+#include "engine/study/uncertainty/explanation.h"
 #include "engine/study/uncertainty/uncertainty_parts.h"
 
 namespace plumb {
@@ -46,17 +47,37 @@ Seen see(const PlannedRun& planned, const std::vector<std::vector<double>>& time
   return seen;
 }
 
+/// The samples of some of the uncertain inputs.
+struct Samples {
+  std::vector<UncertainInput> inputs;
+  std::size_t first = 0;           // of the runs
+  std::vector<std::string> texts;  // one a sample
+};
+
 /// The runs that are asked for, and what was seen of them.
 struct Runs {
   ThreeMeshes meshes;
   std::vector<PlannedRun> planned;
   std::vector<Seen> seen;  // as `planned`
   bool has_numerical = false;
-  std::size_t first_sample = 0;
-  std::vector<std::string> sampled;
+  std::vector<Samples> samples;
 };
 
+/// Those that a reference does not take as the case does.
+std::vector<UncertainInput> inputs_beside(const UncertaintySpec& uncertainty, const SharedErrors& shares) {
+  std::vector<UncertainInput> inputs;
+  for (const UncertainInput& input : uncertainty.inputs)
+    if (!shares.has_input(input.key)) inputs.push_back(input);
+  return inputs;
+}
+
 constexpr std::size_t finer_run = 3;  // after three meshes
+
+const Samples* samples_of(const Runs& runs, const std::vector<UncertainInput>& inputs) {
+  const auto same = [&](const Samples& samples) { return samples.inputs == inputs; };
+  const auto found = std::find_if(runs.samples.begin(), runs.samples.end(), same);
+  return found == runs.samples.end() ? nullptr : &*found;
+}
 
 Runs plan(const LoadedCase& loaded) {
   const Case& spec = loaded.spec;
@@ -72,11 +93,14 @@ Runs plan(const LoadedCase& loaded) {
     }
     runs.planned.push_back(finer_in_time(spec));
   }
-  runs.first_sample = runs.planned.size();
-  if (spec.uncertainty->samples > 0) {
-    PlannedSamples samples = planned_samples(loaded);
-    runs.sampled = std::move(samples.texts);
-    for (PlannedRun& sample : samples.runs) runs.planned.push_back(std::move(sample));
+  if (spec.uncertainty->samples == 0) return runs;
+  for (const Reference& reference : loaded.references) {
+    const std::vector<UncertainInput> inputs = inputs_beside(*spec.uncertainty, reference.shares);
+    if (reference.kind == ReferenceKind::computed || inputs.empty() || samples_of(runs, inputs) != nullptr)
+      continue;
+    PlannedSamples planned = planned_samples(loaded, inputs);
+    runs.samples.push_back({inputs, runs.planned.size(), std::move(planned.texts)});
+    for (PlannedRun& sample : planned.runs) runs.planned.push_back(std::move(sample));
   }
   return runs;
 }
@@ -95,11 +119,13 @@ InputSampling sampling_of(const Run& run, const Runs& runs) {
   sampling.seed = spec.seed;
   for (const UncertainInput& input : spec.inputs)
     sampling.inputs.push_back({input, *uncertain_value(run.loaded.spec, input.key)});
-  for (std::size_t k = 0; k < runs.sampled.size(); ++k) {
-    const Seen& seen = runs.seen[runs.first_sample + k];
-    sampling.completed += seen.fault.empty();
-    if (!seen.fault.empty()) sampling.failures.push_back(fmt::format("{}: {}", runs.sampled[k], seen.fault));
-  }
+  for (const Samples& samples : runs.samples)
+    for (std::size_t k = 0; k < samples.texts.size(); ++k) {
+      const Seen& seen = runs.seen[samples.first + k];
+      sampling.completed += seen.fault.empty();
+      if (!seen.fault.empty())
+        sampling.failures.push_back(fmt::format("{}: {}", samples.texts[k], seen.fault));
+    }
   return sampling;
 }
 
@@ -107,35 +133,65 @@ UncertaintyPart not_asked(const char* name, const char* why) {
   return {name, PartState::not_estimated, why, {}};
 }
 
-std::vector<UncertaintyPart> parts_of(const Run& run, const Runs& runs, const InputSampling& sampling,
-                                      std::size_t r, const Comparison& pair, const SampledRun& sampled) {
+UncertaintyPart input_of(const Case& spec, const Runs& runs, const Reference& reference, std::size_t r,
+                         const std::string& column) {
+  const UncertaintySpec& uncertainty = *spec.uncertainty;
+  const std::vector<UncertainInput> inputs = inputs_beside(uncertainty, reference.shares);
+  if (reference.kind == ReferenceKind::computed)
+    return {"input", PartState::no_part, "the reference is computed from the same input", {}};
+  if (uncertainty.inputs.empty()) return not_asked("input", "the case says of no input how uncertain it is");
+  if (inputs.empty())
+    return {"input", PartState::no_part, "the reference has the same value of every uncertain input", {}};
+  if (uncertainty.samples == 0) return not_asked("input", "[uncertainty] of the case has samples = 0");
+  const Samples& samples = *samples_of(runs, inputs);
+  std::vector<ColumnValues> columns;
+  for (std::size_t k = 0; k < samples.texts.size(); ++k)
+    columns.push_back(runs.seen[samples.first + k].column(r, column));
+  return input_part(inputs.size(), uncertainty.seed, columns);
+}
+
+/// Whether a budget is that of a reference, and was computed.
+bool is_of(const ErrorBudget* budget, const std::string& reference) {
+  return budget != nullptr && budget->reference == reference && budget->left_out.empty();
+}
+
+/// What the budget knows of errors that the figures of a series have themselves, and that the run has not.
+std::vector<DataError> data_errors(const ErrorBudget& budget, const SeriesUncertainty& series,
+                                   bool shares_mesh) {
+  std::vector<DataError> errors;
+  for (const BudgetEntry& entry : budget.entries) {
+    if (!entry.numerical || (entry.of_mesh && shares_mesh) || !entry.run.completed()) continue;
+    errors.push_back({entry.name, difference_at(budget, entry.run, series)});
+  }
+  return errors;
+}
+
+std::vector<UncertaintyPart> parts_of(const Run& run, const Runs& runs, const ErrorBudget* budget,
+                                      std::size_t r, const SeriesUncertainty& series,
+                                      const SampledRun& sampled) {
   const Case& spec = run.loaded.spec;
   const Reference& reference = run.loaded.references[r];
-  const std::vector<double>& own = sampled.values.find(pair.column)->values;
+  const std::string& column = series.column;
+  const std::vector<double>& own = sampled.values.find(column)->values;
+  const bool shares_mesh = reference.shares.has_mesh_of(spec.cable);
+  const char* why_not = "[uncertainty] of the case has numerical = false";
   std::vector<UncertaintyPart> parts;
-  if (!runs.has_numerical) {
-    for (const char* name : {"mesh", "time integration"})
-      parts.push_back(not_asked(name, "[uncertainty] of the case has numerical = false"));
+  if (shares_mesh) {
+    parts.push_back(shared_mesh_part(spec.cable.elements));
+  } else if (!runs.has_numerical) {
+    parts.push_back(not_asked("mesh", why_not));
   } else {
     std::array<ColumnValues, 3> meshes;
-    for (std::size_t k = 0; k < meshes.size(); ++k) meshes[k] = runs.seen[k].column(r, pair.column);
+    for (std::size_t k = 0; k < meshes.size(); ++k) meshes[k] = runs.seen[k].column(r, column);
     parts.push_back(mesh_part(runs.meshes, meshes));
-    parts.push_back(time_part(spec.method, own, runs.seen[finer_run].column(r, pair.column)));
   }
-  parts.push_back(interpolation_part(sampled.errors.find(pair.column)->values));
-  if (reference.kind == ReferenceKind::computed) {
-    parts.push_back({"input", PartState::no_part, "the reference is computed from the same input", {}});
-  } else if (sampling.inputs.empty()) {
-    parts.push_back(not_asked("input", "the case says of no input how uncertain it is"));
-  } else if (sampling.samples == 0) {
-    parts.push_back(not_asked("input", "[uncertainty] of the case has samples = 0"));
-  } else {
-    std::vector<ColumnValues> samples;
-    for (std::size_t k = runs.first_sample; k < runs.seen.size(); ++k)
-      samples.push_back(runs.seen[k].column(r, pair.column));
-    parts.push_back(input_part(sampling, samples));
-  }
-  parts.push_back(data_part(*reference.find(pair.series), own.size()));
+  parts.push_back(runs.has_numerical ? time_part(spec.method, own, runs.seen[finer_run].column(r, column))
+                                     : not_asked("time integration", why_not));
+  parts.push_back(interpolation_part(sampled.errors.find(column)->values));
+  parts.push_back(input_of(spec, runs, reference, r, column));
+  parts.push_back(data_part(*reference.find(series.series), own.size(),
+                            is_of(budget, series.reference) ? data_errors(*budget, series, shares_mesh)
+                                                            : std::vector<DataError>{}));
   return parts;
 }
 
@@ -151,7 +207,7 @@ std::string obstacle(const Run& run, const Reference& reference, const std::vect
 
 }  // namespace
 
-Uncertainty run_uncertainty(const Run& run, Runner& runner) {
+Uncertainty run_uncertainty(const Run& run, Runner& runner, const ErrorBudget* budget) {
   const auto started = std::chrono::steady_clock::now();
   const Case& spec = run.loaded.spec;
   Uncertainty result;
@@ -193,8 +249,10 @@ Uncertainty run_uncertainty(const Run& run, Runner& runner) {
       series.published = reference.kind == ReferenceKind::published;
       series.times = times[r];
       for (std::size_t t = 0; t < own.size(); ++t) series.error.push_back(own[t] - data.values[rows[r][t]]);
-      series.parts = parts_of(run, runs, result.sampling, r, pair, seen);
+      series.parts = parts_of(run, runs, budget, r, series, seen);
       conclude(series);
+      if (is_of(budget, use.name)) series.explanation = explanation(*budget, series);
+      series.shared_model = reference.shares.model;
       result.series.push_back(std::move(series));
     }
   }

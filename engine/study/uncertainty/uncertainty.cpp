@@ -10,6 +10,8 @@ std::string_view word(PartState state) {
       return "not estimated";
     case PartState::estimated:
       return "estimated";
+    case PartState::bounded:
+      return "bounded";
     case PartState::no_part:
       return "no part";
   }

@@ -12,21 +12,25 @@ namespace plumb {
 enum class PartState {
   not_estimated,
   estimated,
+  bounded,  ///< no estimate, but a bound in its place
   no_part,  ///< cannot contribute, which `how` says the reason of
 };
 
-/// "not estimated", "estimated", "no part".
+/// "not estimated", "estimated", "bounded", "no part".
 std::string_view word(PartState);
-inline std::array<PartState, 3> enum_values(PartState) {
-  return {PartState::not_estimated, PartState::estimated, PartState::no_part};
+inline std::array<PartState, 4> enum_values(PartState) {
+  return {PartState::not_estimated, PartState::estimated, PartState::bounded, PartState::no_part};
 }
 
 /// A source of the uncertainty of a comparison, over the times of the comparison.
 struct UncertaintyPart {
   std::string name;  ///< "mesh", "time integration", "interpolation", "input", "data"
   PartState state = PartState::not_estimated;
-  std::string how;             ///< how it was estimated, or why not, in words
-  std::vector<double> values;  ///< standard uncertainty, in the unit of the series; none unless estimated
+  std::string how;  ///< how it was estimated, or why not, in words
+  /// Standard uncertainty, in the unit of the series; none unless estimated or bounded.
+  std::vector<double> values;
+
+  bool has_values() const { return state == PartState::estimated || state == PartState::bounded; }
 };
 
 /// The comparison error E = S − D of one series with its validation uncertainty, after ASME V&V 20-2009.
@@ -41,9 +45,13 @@ struct SeriesUncertainty {
   std::vector<UncertaintyPart> parts;  ///< mesh, time integration, interpolation, input, data
   std::vector<double> validation;      ///< u_val, root of the sum of squares of the estimated parts
 
-  std::size_t greatest = 0;  ///< of `times`, where |E| is greatest
-  double share_within = -1;  ///< of `times` with |E| ≤ k u_val, 0 to 1
-  std::string finding;       ///< what follows for the model, in words
+  std::size_t greatest = 0;         ///< of `times`, where |E| is greatest
+  double share_within = -1;         ///< of `times` with |E| ≤ k u_val, 0 to 1
+  std::vector<std::size_t> beyond;  ///< of `times`, those with |E| > k u_val
+  std::string finding;              ///< what follows for the model, in words, over all times
+  std::string
+      shared_model;  ///< what the models behind both leave out, which no comparison shows; may be empty
+  std::string explanation;  ///< which part of the error budget accounts for it; may be empty
 
   /// False where a part is not estimated: then u_val is at least what it says.
   bool whole() const;

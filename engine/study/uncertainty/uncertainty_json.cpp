@@ -16,7 +16,7 @@ void members(Archive& a, UncertaintyPart& part) {
   a("name", part.name);
   a("state", part.state);
   a("how", part.how);
-  if (part.state == PartState::estimated) a("standard_uncertainty", part.values);
+  if (part.has_values()) a("standard_uncertainty", part.values);
 }
 
 template <class Archive>
@@ -32,7 +32,10 @@ void members(Archive& a, SeriesUncertainty& series) {
   a.said("validation_uncertainty_at_greatest", [&] { return series.validation[series.greatest]; });
   a.said("at_least", [&] { return !series.whole(); });
   a("share_within", series.share_within);
+  a("beyond", series.beyond);
   a("finding", series.finding);
+  a("shared_model", series.shared_model);
+  a("explanation", series.explanation);
   a("parts", series.parts);
   a("time", series.times);
   a("error", series.error);
@@ -86,7 +89,9 @@ void check(const SeriesUncertainty& series) {
   check_count(series.error, count, "the error");
   check_count(series.validation, count, "the validation uncertainty");
   for (const UncertaintyPart& part : series.parts)
-    if (part.state == PartState::estimated) check_count(part.values, count, "a part");
+    if (part.has_values()) check_count(part.values, count, "a part");
+  for (const std::size_t t : series.beyond)
+    if (t >= count) throw std::runtime_error("a time beyond the uncertainty is none of its series");
   if (series.greatest == count) throw std::runtime_error("the greatest error is at no time of its series");
 }
 
@@ -97,7 +102,7 @@ nlohmann::ordered_json uncertainty_json(const Uncertainty& uncertainty) {
   for (std::size_t k = 0; k < uncertainty.series.size(); ++k) {
     const SeriesUncertainty& series = uncertainty.series[k];
     for (std::size_t p = 0; p < series.parts.size(); ++p)
-      if (series.parts[p].state == PartState::estimated)
+      if (series.parts[p].has_values())
         json["series"][k]["parts"][p]["at_greatest_error"] =
             encode(series.parts[p].values[series.greatest], NotFinite::null);
   }

@@ -12,9 +12,10 @@
 namespace plumb {
 namespace {
 
-/// An index covers 95 %. The error of a solution lies to one side of it, and for such a shifted normal
-/// distribution the standard divides by this (ASME V&V 20-2009, section 2-5).
-constexpr double index_coverage = 1.15;
+/// An index is taken as bounds of a uniform distribution about the solution (JCGM 100:2008, 4.3.7), as all
+/// other parts are. ASME V&V 20-2009 (section 2-5) also has 1.15, for errors to one side, and 2, for normal
+/// ones: of made comparisons whose errors are known twice the first covers 99.9 %, twice the second 85 %.
+constexpr double index_coverage = std::numbers::sqrt3;
 
 std::vector<double> standard(std::vector<double> index) {
   for (double& value : index) value /= index_coverage;
@@ -25,7 +26,7 @@ UncertaintyPart part(const char* name, PartState state, std::string how, std::ve
   return {name, state, std::move(how), std::move(values)};
 }
 
-constexpr const char* index_words = "over 1.15, as it covers 95 % of errors to one side";
+constexpr const char* index_words = "over √3, as bounds of a uniform distribution";
 
 /// The greatest difference of three columns where that is no more than rounding, as in a motion that every
 /// mesh has exactly.
@@ -61,14 +62,24 @@ UncertaintyPart mesh_part(const ThreeMeshes& meshes, const std::array<ColumnValu
   if (index.order < 0)
     return part(name, PartState::not_estimated,
                 of + ": the changes from one to the next do not fall, so that there is no order");
+  const bool is_finest = meshes.of == OfThree::finest;
+  const ColumnValues &own = columns[is_finest ? 0 : 2], &other = columns[is_finest ? 1 : 0];
+  if (!is_possible_order(index.order))
+    return part(
+        name, PartState::bounded,
+        fmt::format(
+            "{}: their changes are of order {:.2g}, which elements of this kind do not have ({:g} to "
+            "{:g}), so that nothing is extrapolated: three times the greatest change to the {} mesh up to "
+            "each time as a bound; {}",
+            of, index.order, least_possible_order, greatest_possible_order, is_finest ? "next" : "finest",
+            index_words),
+        standard(two_run_bound(own.values, other.values)));
   return part(name, PartState::estimated,
               fmt::format("grid convergence index of the {} of {}: order {:.2f} of the greatest changes{}, "
                           "safety factor {:g}; at each time of the greatest change up to then; {}",
-                          meshes.of == OfThree::finest ? "finest" : "coarsest", of, index.order,
-                          counted_order(index.order) != index.order
-                              ? fmt::format(", counted as {:g}", counted_order(index.order))
-                              : "",
-                          index.safety_factor, index_words),
+                          is_finest ? "finest" : "coarsest", of, index.order,
+                          index.order > mesh_order ? fmt::format(", counted as {:g}", mesh_order) : "",
+                          certain_factor, index_words),
               standard(index.values));
 }
 
@@ -104,7 +115,7 @@ UncertaintyPart interpolation_part(const std::vector<double>& errors) {
               std::move(values));
 }
 
-UncertaintyPart input_part(const InputSampling& sampling, const std::vector<ColumnValues>& samples) {
+UncertaintyPart input_part(std::size_t inputs, long seed, const std::vector<ColumnValues>& samples) {
   constexpr const char* name = "input";
   std::vector<const std::vector<double>*> good;
   for (const ColumnValues& sample : samples)
@@ -121,41 +132,66 @@ UncertaintyPart input_part(const InputSampling& sampling, const std::vector<Colu
     for (const auto* values : good) squares += ((*values)[t] - mean) * ((*values)[t] - mean);
     deviations[t] = std::sqrt(squares / (n - 1));
   }
-  return part(
-      name, PartState::estimated,
-      fmt::format("standard deviation over {} of {} samples, a Latin hypercube of {} with seed {}, "
-                  "exact in time; known itself to some {:.0f} %",
-                  good.size(), samples.size(),
-                  sampling.inputs.size() == 1 ? "one input"
-                                              : fmt::format("{} independent inputs", sampling.inputs.size()),
-                  sampling.seed, 100 / std::sqrt(2 * (n - 1))),
-      std::move(deviations));
+  return part(name, PartState::estimated,
+              fmt::format("standard deviation over {} of {} samples, a Latin hypercube of {} with seed {}, "
+                          "exact in time; known itself to some {:.0f} %",
+                          good.size(), samples.size(),
+                          inputs == 1 ? "one input" : fmt::format("{} independent inputs", inputs), seed,
+                          100 / std::sqrt(2 * (n - 1))),
+              std::move(deviations));
 }
 
-UncertaintyPart data_part(const ReferenceSeries& series, std::size_t count) {
+UncertaintyPart data_part(const ReferenceSeries& series, std::size_t count,
+                          const std::vector<DataError>& errors) {
   const DataUncertainty data = data_uncertainty(series);
-  return part("data", PartState::estimated, data.how, std::vector<double>(count, data.standard));
+  std::vector<double> squares(count, data.standard * data.standard);
+  std::string how = data.how;
+  for (const DataError& error : errors) {
+    double greatest = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+      const double size = std::abs(error.difference[t]);
+      greatest = std::isnan(size) ? size : std::max(greatest, size);
+      squares[t] += std::pow(greatest / index_coverage, 2);
+    }
+    how += fmt::format(
+        "{}{}",
+        &error == &errors.front() ? "; errors of the computation behind it, from the error budget: " : ", ",
+        error.name);
+  }
+  if (!errors.empty()) how += fmt::format(", each the greatest up to each time, {}", index_words);
+  for (double& value : squares) value = std::sqrt(value);
+  return part("data", PartState::estimated, std::move(how), std::move(squares));
+}
+
+UncertaintyPart shared_mesh_part(int elements) {
+  return part(
+      "mesh", PartState::no_part,
+      fmt::format(
+          "the reference was computed on the same mesh of {} elements: its error is in both, and not in "
+          "their difference",
+          elements));
 }
 
 void conclude(SeriesUncertainty& series) {
   series.validation.assign(series.times.size(), 0.0);
+  series.beyond.clear();
   std::size_t within = 0;
   series.greatest = 0;
   for (std::size_t t = 0; t < series.times.size(); ++t) {
     double squares = 0;
     for (const UncertaintyPart& each : series.parts)
-      if (each.state == PartState::estimated) squares += each.values[t] * each.values[t];
+      if (each.has_values()) squares += each.values[t] * each.values[t];
     series.validation[t] = std::sqrt(squares);
     const double size = std::abs(series.error[t]);
-    within += std::isfinite(size) && size <= coverage_factor * series.validation[t];
+    const bool is_within = std::isfinite(size) && size <= coverage_factor * series.validation[t];
+    within += is_within;
+    if (!is_within) series.beyond.push_back(t);
     // One that is not a number stays the greatest.
     const double greatest = std::abs(series.error[series.greatest]);
     if (!std::isnan(greatest) && !(size <= greatest)) series.greatest = t;
   }
   series.share_within = static_cast<double>(within) / static_cast<double>(series.times.size());
-  series.finding =
-      comparison_finding(series.error[series.greatest], coverage_factor * series.validation[series.greatest],
-                         series.unit, series.published, series.whole());
+  series.finding = comparison_finding(series);
 }
 
 }  // namespace plumb

@@ -63,20 +63,20 @@ Refinement refinement_of(const MethodSpec& method) {
   return {2, stated >= 1 ? stated : 1};
 }
 
-PlannedSamples planned_samples(const LoadedCase& loaded) {
+PlannedSamples planned_samples(const LoadedCase& loaded, const std::vector<UncertainInput>& inputs) {
   const Case& spec = loaded.spec;
   const UncertaintySpec& uncertainty = *spec.uncertainty;
   const MethodSpec method = exact_in_time(spec).method;
   PlannedSamples planned;
   std::vector<std::string> keys;
-  for (const UncertainInput& input : uncertainty.inputs) keys.push_back(input.key);
+  for (const UncertainInput& input : inputs) keys.push_back(input.key);
   for (const std::vector<double>& point :
        latin_hypercube(static_cast<std::size_t>(uncertainty.samples), keys.size(),
                        static_cast<std::uint64_t>(uncertainty.seed))) {
     std::vector<double> values;
     std::string text;
     for (std::size_t k = 0; k < keys.size(); ++k) {
-      values.push_back(quantile(uncertainty.inputs[k], *uncertain_value(spec, keys[k]), point[k]));
+      values.push_back(quantile(inputs[k], *uncertain_value(spec, keys[k]), point[k]));
       text += fmt::format("{}{} = {:.6g}", k == 0 ? "" : ", ", keys[k], values.back());
     }
     PlannedRun run;

@@ -41,12 +41,12 @@ struct Refinement {
 };
 Refinement refinement_of(const MethodSpec& method);
 
-/// The case once for each sample of its uncertain inputs, by a Latin hypercube, exact in time with one step
+/// The case once for each sample of some uncertain inputs, by a Latin hypercube, exact in time with one step
 /// for all. `texts` says of each what was sampled.
 struct PlannedSamples {
   std::vector<PlannedRun> runs;
   std::vector<std::string> texts;
 };
-PlannedSamples planned_samples(const LoadedCase& loaded);
+PlannedSamples planned_samples(const LoadedCase& loaded, const std::vector<UncertainInput>& inputs);
 
 }  // namespace plumb

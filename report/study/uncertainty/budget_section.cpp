@@ -110,7 +110,7 @@ std::string budget_html(const Document& budget, const std::vector<Picture>& pict
     values["sampled"] = sampled;
     values["interval"] = fmt::format("{:g}", interval);
     values["columns"] = sampled ? "2" : "1";
-    values["times"] = std::to_string(budget.at("reference_times").get<long>());
+    values["times"] = std::to_string(budget.at("time").size());
     values["seconds"] = fmt::format("{:.2g}", budget.at("seconds").get<double>());
     data heads{data::type::list};
     for (const Json& item : series) {

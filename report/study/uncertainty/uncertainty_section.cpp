@@ -6,6 +6,7 @@
 
 #include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/page/page_template.h"
+#include "report/study/uncertainty/uncertainty_figure.h"
 
 namespace plumb {
 
@@ -17,14 +18,14 @@ using kainjow::mustache::data;
 using Json = Document;
 
 constexpr const char* uncertainty_key = "uncertainty";
+constexpr const char* uncertainty_figures_key = "uncertainty_figures";
 
 std::string number(const Json& json) {
   return json.is_number() ? fmt::format("{:.2g}", json.get<double>()) : "not finite";
 }
 
 std::string part_text(const Json& part) {
-  return text_of(part, "state") == "estimated" ? number(part.at("at_greatest_error"))
-                                               : text_of(part, "state");
+  return part.contains("at_greatest_error") ? number(part.at("at_greatest_error")) : text_of(part, "state");
 }
 
 data part_cells(const Json& series) {
@@ -32,10 +33,19 @@ data part_cells(const Json& series) {
   for (const Json& part : series.at("parts")) {
     data cell;
     cell["value"] = part_text(part);
-    cell["words"] = text_of(part, "state") != "estimated";
+    cell["words"] = !part.contains("at_greatest_error");
     cells.push_back(cell);
   }
   return cells;
+}
+
+/// What was found, what accounts for it, and what could not be.
+std::string finding_of(const Json& series) {
+  std::string text = text_of(series, "finding");
+  if (!text_of(series, "explanation").empty()) text += "; " + text_of(series, "explanation");
+  if (!text_of(series, "shared_model").empty())
+    text += "; what both leave out does not show: " + text_of(series, "shared_model");
+  return text;
 }
 
 data series_rows(const Json& uncertainty) {
@@ -55,7 +65,7 @@ data series_rows(const Json& uncertainty) {
     row["u"] = at_least + number(u);
     row["expanded"] = u.is_number() ? at_least + fmt::format("{:.2g}", k * u.get<double>()) : "not finite";
     row["share"] = fmt::format("{:.0f} %", 100 * series.at("share_within").get<double>());
-    row["finding"] = text_of(series, "finding");
+    row["finding"] = finding_of(series);
     rows.push_back(row);
   }
   return rows;
@@ -131,17 +141,19 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
         std::find_if(uncertainty.series.begin(), uncertainty.series.end(), [&](const SeriesUncertainty& any) {
           return any.reference == spec.references[error.reference].name && any.column == error.column;
         });
-    if (error.given_run || series == uncertainty.series.end() || verdicts[k].status == VerdictStatus::not_run)
+    if (error.given_run || error.exact || series == uncertainty.series.end() ||
+        verdicts[k].status == VerdictStatus::not_run)
       continue;
     const std::string text = fmt::format(
-        "; E = {:+.3g} {} with u_val {}{:.2g} {}: {}", series->error[series->greatest], series->unit,
-        series->whole() ? "" : "≥ ", series->validation[series->greatest], series->unit, series->finding);
+        "; E = {:+.3g} {} with u_val {}{:.2g} {}: {}{}", series->error[series->greatest], series->unit,
+        series->whole() ? "" : "≥ ", series->validation[series->greatest], series->unit, series->finding,
+        series->explanation.empty() ? "" : "; " + series->explanation);
     verdicts[k].detail += text;
     verdicts[k].message += text;
   }
 }
 
-std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>&) {
+std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>& pictures) {
   const Json& sampling = uncertainty.at("sampling");
   data values;
   values["standard"] = text_of(uncertainty, "standard");
@@ -157,6 +169,7 @@ std::string uncertainty_html(const Document& uncertainty, const std::vector<Pict
   values["part_count"] = std::to_string(names.list_value().size());
   values.set("part_names", names);
   values.set("hows", how_rows(uncertainty));
+  values.set("pictures", picture_rows(pictures));
   values["has_inputs"] = !sampling.at("inputs").empty();
   values.set("inputs", input_rows(sampling));
   const int samples = sampling.at("samples").get<int>(), completed = sampling.at("completed").get<int>();
@@ -173,12 +186,17 @@ std::string uncertainty_html(const Document& uncertainty, const std::vector<Pict
 }  // namespace
 
 RunSection uncertainty_section(const Uncertainty& uncertainty, const Case& spec) {
-  return {
-      .key = uncertainty_key,
-      .json = uncertainty_json(uncertainty),
-      .judge = [uncertainty, spec](std::vector<Verdict>& verdicts, const std::vector<SeriesError>& errors) {
-        add_uncertainty(verdicts, errors, spec, uncertainty);
-      }};
+  const Figure figure = uncertainty_figure(uncertainty);
+  return {.key = uncertainty_key,
+          .json = uncertainty_json(uncertainty),
+          .figures_key = uncertainty_figures_key,
+          .drawing_stage = "uncertainty figure",
+          .figures =
+              [figure] { return figure.plot.panels.empty() ? std::vector<Figure>{} : std::vector{figure}; },
+          .judge =
+              [uncertainty, spec](std::vector<Verdict>& verdicts, const std::vector<SeriesError>& errors) {
+                add_uncertainty(verdicts, errors, spec, uncertainty);
+              }};
 }
 
 PageSection uncertainty_on_page() {
@@ -186,7 +204,8 @@ PageSection uncertainty_on_page() {
           .id = "uncertainty",
           .link = "Uncertainty",
           .title = "Uncertainty of the comparisons",
-          .html = uncertainty_html};
+          .html = uncertainty_html,
+          .figures_key = uncertainty_figures_key};
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "engine/base/dense.h"
 #include "engine/model/cable.h"
@@ -77,6 +78,27 @@ TEST_P(Corrections, AreThoseOfTheMatrixWhetherItIsPositiveDefiniteOrNot) {
     }
   EXPECT_GT(definite, 0);
   EXPECT_GT(indefinite, 0);
+}
+
+// By all of a stage at once for a cable, and one thing after the other for a chain.
+TEST_P(Corrections, WithAnOldMatrixThatIsTurnedAreNearerToThoseOfANewOne) {
+  const Cable cable(spec());
+  Dynamics old(cable), anew(cable);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+  const Eigen::VectorXd q = pressed(cable, 1), a = Eigen::VectorXd::Zero(cable.size());
+  Eigen::VectorXd turned = q, x, expected;
+  for (Eigen::Index k = 0; k < q.size(); k += 3) turned.segment<3>(k) = turn * q.segment<3>(k);
+  const auto distance = [&](bool turns) {
+    StageTerms stage{.base = Sum(q), .reach = 1e-4};
+    stage.from = {1, a.data()};
+    EXPECT_EQ(old.correct(stage, 1e-4, x, {}, turns).singular, -1);
+    stage.base = Sum(turned);
+    EXPECT_TRUE(old.correct(stage, 0, x, {}, turns).finite);
+    EXPECT_EQ(anew.correct(stage, 1e-4, expected).singular, -1);
+    return (x - expected).norm() / expected.norm();
+  };
+  const double plain = distance(false), with_turns = distance(true);
+  EXPECT_LT(with_turns, 0.1 * plain);
 }
 
 TEST_P(Corrections, OfACollapsedCableSayWhereAndDoNotCount) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <limits>
 #include <random>
 
@@ -236,7 +237,7 @@ TEST_P(KernelsOf, ACorrectionIsTheResidualSolved) {
       for (const double renewed : {stiffness_factor, 0.0}) {
         Eigen::VectorXd seen(at.size());
         const StageCorrection result = best_kernels().correct(constants(n), n, ends, Loads(n), terms, renewed,
-                                                              factors.data(), seen.data());
+                                                              factors.data(), nullptr, seen.data());
         EXPECT_EQ(result.unsound, -1);
         EXPECT_EQ(result.singular, -1);
         EXPECT_TRUE(result.finite);
@@ -247,6 +248,71 @@ TEST_P(KernelsOf, ACorrectionIsTheResidualSolved) {
     }
 }
 
+/// A cable bent and stretched in the plane of x and y, turned about z by an angle.
+Eigen::VectorXd bent_in_plane(int n, double angle) {
+  Eigen::VectorXd q(6 * (n + 1));
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+  for (int node = 0; node <= n; ++node) {
+    const double x = cable_length / n * node;
+    q.segment<3>(6 * node) = turn * Vec3(1.01 * x, 0.05 * std::sin(3 * x), 0);
+    q.segment<3>(6 * node + 3) = turn * Vec3(1.01, 0.15 * std::cos(3 * x), 0);
+  }
+  return q;
+}
+
+TEST_P(KernelsOf, AnOldMatrixThatIsTurnedWithTheNodesIsThatOfTheTurnedCable) {
+  constexpr double stiffness_factor = 1e-6;
+  for (const SupportsSpec& supports : some_supports)
+    for (const int n : lengths)
+      for (const double angle : {1e-3, 0.5, -1.5}) {
+        const SupportProjection ends(supports, Vec3::UnitZ(), n + 1);
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(6 * (n + 1));
+        const auto correct = [&](const Eigen::VectorXd& q, double renewed, std::vector<double>& factors,
+                                 double* turns) {
+          StageTerms terms{.base = Sum(q), .reach = 1e-6};
+          terms.from = {1, zero.data()};
+          Eigen::VectorXd x(q.size());
+          const StageCorrection result = best_kernels().correct(constants(n), n, ends, Loads(n), terms,
+                                                                renewed, factors.data(), turns, x.data());
+          EXPECT_EQ(result.singular, -1);
+          EXPECT_TRUE(result.finite);
+          return x;
+        };
+        const Eigen::VectorXd before = bent_in_plane(n, 0), after = bent_in_plane(n, angle);
+        std::vector<double> factors = factors_of(n), renewed = factors,
+                            turns(static_cast<std::size_t>(turns_size(n + 1)));
+        correct(before, stiffness_factor, factors, turns.data());
+        const Eigen::VectorXd expected = correct(after, stiffness_factor, renewed, nullptr),
+                              turned = correct(after, 0, factors, turns.data()),
+                              as_it_was = correct(after, 0, factors, nullptr);
+        EXPECT_LE((turned - expected).norm(), 1e-9 * expected.norm())
+            << n << " elements, turned by " << angle;
+        EXPECT_GT((as_it_was - expected).norm(), 1e-7 * expected.norm()) << n << " elements, by " << angle;
+
+        std::vector<double> one_by_one(turns.size());
+        Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(after.size(), -1, 1), y = x;
+        best_kernels().mark_slopes(n + 1, before.data(), one_by_one.data());
+        best_kernels().turn_back(n + 1, after.data(), one_by_one.data(), x.data());
+        EXPECT_EQ(one_by_one, turns) << n << " elements";
+        best_kernels().turn(n + 1, one_by_one.data(), x.data());
+        EXPECT_LE((x - y).norm(), 1e-14 * y.norm()) << "there and back";
+      }
+}
+
+TEST_P(KernelsOf, NothingTurnsWhereASlopeHasTurnedRoundOrIsNone) {
+  const int n = 5;
+  for (const double angle : {3.1, 0.0}) {
+    Eigen::VectorXd before = bent_in_plane(n, 0), after = bent_in_plane(n, angle);
+    if (angle == 0) before.setZero();
+    if (angle == 0) after.setZero();
+    std::vector<double> turns(static_cast<std::size_t>(turns_size(n + 1)));
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(after.size(), -1, 1), y = x;
+    best_kernels().mark_slopes(n + 1, before.data(), turns.data());
+    best_kernels().turn_back(n + 1, after.data(), turns.data(), x.data());
+    EXPECT_LE((x - y).norm(), 1e-14 * y.norm()) << "turned by " << angle;
+  }
+}
+
 TEST_P(KernelsOf, ACorrectionThatGoesWrongSaysWhere) {
   const SupportProjection ends({}, Vec3::UnitX(), 1);
   for (const int n : lengths)
@@ -255,7 +321,7 @@ TEST_P(KernelsOf, ACorrectionThatGoesWrongSaysWhere) {
       Eigen::VectorXd x(6 * (n + 1));
       const auto correct = [&](const Stage& stage, double stiffness_factor) {
         return best_kernels().correct(constants(n), n, ends, Loads(n), stage.terms, stiffness_factor,
-                                      factors.data(), x.data());
+                                      factors.data(), nullptr, x.data());
       };
       Stage sound(n);
       ASSERT_EQ(correct(sound, 1e-6).singular, -1);
@@ -403,12 +469,14 @@ TEST_P(KernelsOf, ResultsAreTheSameBitsOnEveryInstructionSet) {
     v3_kernels()->solve(n + 1, b.data(), y.data());
     EXPECT_EQ(x, y) << n << " elements, solved";
     const SupportProjection ends({.first = Support::pinned}, Vec3::UnitX(), n + 1);
+    std::vector<double> plain_turns(static_cast<std::size_t>(turns_size(n + 1))), v3_turns = plain_turns;
     for (const double stiffness_factor : {1e-6, 0.0}) {
       const Stage stage(n);
       plain_kernels().correct(constants(n), n, ends, Loads(n), stage.terms, stiffness_factor, a.data(),
-                              x.data());
+                              plain_turns.data(), x.data());
       v3_kernels()->correct(constants(n), n, ends, Loads(n), stage.terms, stiffness_factor, b.data(),
-                            y.data());
+                            v3_turns.data(), y.data());
+      EXPECT_EQ(plain_turns, v3_turns) << n << " elements";
       EXPECT_EQ(a, b) << n << " elements, renewed";
       EXPECT_EQ(x, y) << n << " elements, corrected";
     }

@@ -155,6 +155,82 @@ TEST(ReferenceFaults, ABadCableOfAReferenceIsRefusedWithItsPlaceAndWhatIsAllowed
   });
 }
 
+TEST(ReferenceFaults, BadExactFiguresAreRefusedWithTheirPlaceAndWhatIsAllowed) {
+  const std::string last = "uncertainty_basis = \"last digit\"";
+  const auto exact = [&](const std::string& rows, const std::string& uncertainty,
+                         const std::string& more = "") {
+    return last + "\n[exact]\nobtained = \"closed form\"\nuncertainty_basis = \"digits\"\nrows = " + rows +
+           "\nuncertainty = " + uncertainty + "\n" + more;
+  };
+  const std::string rows = "[[0, 0, 1], [0.5, -0.1, 2.4], [1, -0.2, 3.4]]",
+                    each = "{ mid_y = 1e-6, force = 1e-3 }";
+  expect_refused({
+      {last, last + "\n[exact]\n",
+       "small_reference.toml:26:1: exact.obtained: missing; required: how the exact figures were found"},
+      {last, exact("[[0, 0, 1], [0.5, -0.1, 2.4]]", each),
+       "small_reference.toml:29:8: exact.rows = [[0, 0, 1], [0.5, -0.1, 2.4]]: must have the same first "
+       "column "
+       "as the rows of the file"},
+      {last, exact("[[0, 0]]", each),
+       "small_reference.toml:29:9: exact.rows.0 = [0, 0]: must be a list of 3 numbers, one a column"},
+      {last, exact(rows, "1e-6"),
+       "small_reference.toml:30:15: exact.uncertainty = 1e-6: must be a table of one a series, { tip_x = "
+       "1e-6 }, "
+       "as their units differ"},
+      {last, exact(rows, "{ mid_y = 1e-6 }"),
+       "small_reference.toml:30:15: exact.uncertainty.force: missing; required: a number greater than 0 "
+       "(half-width, in the unit of the series)"},
+      {last, exact(rows, "{ mid_y = 1e-6, farce = 1e-3 }"),
+       "small_reference.toml:30:31: exact.uncertainty.farce = 1e-3: unknown key; did you mean \"force\"?"},
+      {last, exact(rows, each, "row = 1"),
+       "small_reference.toml:31:1: exact.row = 1: unknown key; did you mean \"rows\"?"},
+  });
+}
+
+TEST(ReferenceFaults, BadSharedErrorsAreRefusedWithTheirPlaceAndWhatIsAllowed) {
+  const std::string last = "uncertainty_basis = \"last digit\"", table = last + "\n[shares]\n";
+  expect_refused({
+      {last, table + "elements = 0",
+       "small_reference.toml:27:12: shares.elements = 0: must be a whole number from 1 to 1000000"},
+      {last, table + "elements = 4\nstrain = \"gren-geometric\"",
+       "small_reference.toml:28:10: shares.strain = \"gren-geometric\": must be \"green-geometric\" or "
+       "\"engineering-material\"; did you mean \"green-geometric\"?"},
+      {last, table + "strain = \"green-geometric\"",
+       "small_reference.toml:27:10: shares.strain = \"green-geometric\": is of a mesh, whose number of "
+       "elements is "
+       "missing"},
+      {last, table + "quadrature = \"full\"",
+       "small_reference.toml:27:14: shares.quadrature = \"full\": is of a mesh, whose number of elements is "
+       "missing"},
+      {last, table + "inputs = \"cable.density\"",
+       "small_reference.toml:27:10: shares.inputs = \"cable.density\": must be a list of strings, found a "
+       "string"},
+      {last, table + "mesh = 4",
+       "small_reference.toml:27:1: shares.mesh = 4: unknown key; known: elements, strain, quadrature, "
+       "inputs, model"},
+  });
+}
+
+TEST(ReferenceFaults, ABadModelIsRefusedWithItsPlaceAndWhatIsAllowed) {
+  const std::string last = "uncertainty_basis = \"last digit\"", table = last + "\n[model]\n";
+  expect_refused({
+      {last, table,
+       "small_reference.toml:26:1: model.differences: missing; required: the list of what is different in "
+       "the model "
+       "behind the figures"},
+      {last, table + "differences = []",
+       "small_reference.toml:27:15: model.differences = []: must hold at least one text"},
+      {last, table + "differences = [\"shear\"]\nerror = { mid_y = -1 }\nerror_basis = \"stated\"",
+       "small_reference.toml:28:19: model.error.mid_y = -1: must be a number greater than 0 (m)"},
+      {last, table + "differences = [\"shear\"]\nerror = { mid_y = 1 }",
+       "small_reference.toml:26:1: model.error_basis: missing; required: what the size of the model error "
+       "rests "
+       "on"},
+      {last, table + "differences = [\"shear\"]\nerror_basis = \"stated\"",
+       "small_reference.toml:28:1: model.error_basis = \"stated\": unknown key; known: differences, error"},
+  });
+}
+
 TEST(ReferenceFaults, AReferenceInAnotherUnitIsRefusedWithItsPlaceAndWhatIsAllowed) {
   expect_refused({
       {"unit = \"m\"", "unit = \"mm\"",

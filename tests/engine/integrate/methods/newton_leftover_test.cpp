@@ -83,5 +83,21 @@ TEST(MatrixWear, IsWornWhenItsCorrectionsCostMoreThanWithANewMatrix) {
   EXPECT_FALSE(wear.is_worn());
 }
 
+TEST(NewtonMatrix, OfACableThatSwingsServesManySteps) {
+  for (const char* name : {"trapezoidal", "implicit-midpoint", "hht", "generalized-alpha"}) {
+    Case spec = pendulum(5, 64);
+    spec.method = plain_method(*find_method(name));
+    spec.method.step = 1e-3;
+    spec.time = {0.5, 0.1};
+    const Trajectory run = integrate(spec);
+    ASSERT_EQ(run.outcome, Outcome::completed) << run.message;
+    const double steps = static_cast<double>(run.counters.steps),
+                 factorizations = static_cast<double>(run.counters.factorizations) / steps,
+                 iterations = static_cast<double>(run.counters.newton_iterations) / steps;
+    EXPECT_LE(factorizations, 0.13) << name << ": a step";
+    EXPECT_LE(iterations, 4) << name << ": a step";
+  }
+}
+
 }  // namespace newton_leftover_test
 }  // namespace plumb

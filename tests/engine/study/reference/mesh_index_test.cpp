@@ -17,41 +17,39 @@ std::vector<double> made(double h, double p) {
   return values;
 }
 
-void expect_index_of(double p, double h, OfThree of, double factor) {
+void expect_index_of(double p, double h, OfThree of) {
   const double fine = of == OfThree::finest ? h : h / 4;
   const MeshIndex index = mesh_index(made(fine, p), made(2 * fine, p), made(4 * fine, p), of);
   EXPECT_NEAR(index.order, p, 1e-6) << "h " << h;
-  EXPECT_EQ(index.safety_factor, factor) << "order " << p;
   ASSERT_EQ(index.values.size(), 21U);
   for (int k = 0; k <= 20; ++k)
-    EXPECT_NEAR(index.values[k], factor * 0.3 * 0.1 * k * std::pow(h, p), 1e-7 * std::pow(h, p) + 1e-13)
+    EXPECT_NEAR(index.values[k], certain_factor * 0.3 * 0.1 * k * std::pow(h, p),
+                1e-7 * std::pow(h, p) + 1e-13)
         << "order " << p << ", time " << 0.1 * k;
 }
 
 TEST(MeshIndex, IsTheSafetyFactorTimesTheErrorWhereAnOrderHolds) {
   for (const OfThree of : {OfThree::finest, OfThree::coarsest})
-    for (const double p : {1.2, 2.0, 3.3, 4.0}) expect_index_of(p, 0.125, of, 1.25);
+    for (const double p : {1.2, 2.0, 3.3, 4.0}) expect_index_of(p, 0.125, of);
 }
 
-TEST(MeshIndex, TakesTheGreaterFactorWhereTheOrderIsBelowWhatTheoryHas) {
-  expect_index_of(0.6, 0.125, OfThree::finest, 3);
-  expect_index_of(0.6, 0.125, OfThree::coarsest, 3);
+TEST(MeshIndex, OfAnOrderThatElementsDoNotHaveThereIsNone) {
+  for (const double p : {0.1, 0.9, 4.6, 6.0}) {
+    const MeshIndex index = mesh_index(made(0.25, p), made(0.5, p), made(1, p), OfThree::finest);
+    EXPECT_NEAR(index.order, p, 1e-6);
+    EXPECT_FALSE(is_possible_order(index.order));
+    EXPECT_TRUE(index.values.empty()) << "order " << p;
+  }
 }
 
-TEST(MeshIndex, AnOrderThatIsTooHighIsNotTrusted) {
-  const MeshIndex index = mesh_index(made(0.25, 6), made(0.5, 6), made(1, 6), OfThree::finest);
-  EXPECT_NEAR(index.order, 6, 1e-6);
-  EXPECT_EQ(index.safety_factor, 3);
-  const double change = 0.3 * 2 * (std::pow(0.5, 6) - std::pow(0.25, 6));
-  EXPECT_NEAR(index.values.back(), 3 * change / (std::pow(2, 4) - 1), 1e-12) << "made with order 4";
+TEST(MeshIndex, AnOrderAboveThatOfTheElementsCountsAsThat) {
+  const MeshIndex index = mesh_index(made(0.25, 4.4), made(0.5, 4.4), made(1, 4.4), OfThree::finest);
+  const double change = 0.3 * 2 * (std::pow(0.5, 4.4) - std::pow(0.25, 4.4));
+  EXPECT_NEAR(index.values.back(), certain_factor * change / (std::pow(2, 4) - 1), 1e-12);
 }
 
-TEST(MeshIndex, AnOrderThatIsTooLowDoesNotBlowItUp) {
-  const MeshIndex index = mesh_index(made(0.25, 0.1), made(0.5, 0.1), made(1, 0.1), OfThree::finest);
-  EXPECT_NEAR(index.order, 0.1, 1e-6);
-  EXPECT_EQ(index.safety_factor, 3);
-  const double change = 0.3 * 2 * (std::pow(0.5, 0.1) - std::pow(0.25, 0.1));
-  EXPECT_NEAR(index.values.back(), 3 * change / (std::sqrt(2) - 1), 1e-12) << "made with order 1/2";
+TEST(TwoRunBound, IsThreeTimesTheGreatestChangeUpToThen) {
+  EXPECT_EQ(two_run_bound({0, 1, 2}, {0, -1, 2}), (std::vector<double>{0, 6, 6}));
 }
 
 TEST(MeshIndex, NothingIsKnownWhereChangesDoNotFall) {

@@ -92,8 +92,30 @@ TEST(RunUncertainty, SamplingFindsTheSpreadOfALinearModel) {
   EXPECT_LT(series.parts[0].values[2], 1e-9) << "every mesh falls alike";
   EXPECT_EQ(series.parts[2].state, PartState::no_part) << series.parts[2].how;
   EXPECT_NEAR(series.parts[4].values[2], 0.003 / std::sqrt(3), 1e-12);
-  EXPECT_EQ(series.finding, "not distinguishable at this uncertainty");
+  EXPECT_EQ(series.finding, "not distinguishable at any of 3 times");
   EXPECT_EQ(series.share_within, 1);
+}
+
+TEST(RunUncertainty, HasNoPartInWhatTheReferenceShares) {
+  const auto found = [](const std::string& shares) {
+    CaseSource source = falling(sampled);
+    source.references[0].text += "[shares]\n" + shares;
+    return run_uncertainty(run_of(source), InMemory());
+  };
+  const SeriesUncertainty mesh = found("elements = 4").series.at(0);
+  EXPECT_EQ(mesh.parts[0].state, PartState::no_part) << mesh.parts[0].how;
+  EXPECT_EQ(mesh.parts[3].state, PartState::estimated);
+  for (const char* other : {"elements = 8", "elements = 4\nstrain = \"engineering-material\""})
+    EXPECT_EQ(found(other).series.at(0).parts[0].state, PartState::estimated) << other;
+
+  const Uncertainty without_gravity = found("inputs = [\"loads.gravity.1\"]\nmodel = \"no air\"");
+  const UncertaintyPart& input = without_gravity.series.at(0).parts.at(3);
+  ASSERT_EQ(input.state, PartState::estimated) << input.how;
+  EXPECT_LT(input.values.back(), 1e-9) << "it falls alike with any density";
+  EXPECT_EQ(without_gravity.series[0].shared_model, "no air");
+  EXPECT_EQ(without_gravity.sampling.completed, 64);
+  EXPECT_EQ(found("inputs = [\"loads.gravity.1\", \"cable.density\"]").series.at(0).parts.at(3).state,
+            PartState::no_part);
 }
 
 TEST(RunUncertainty, IsTheSameForTheSameSeed) {
@@ -119,7 +141,8 @@ TEST(RunUncertainty, WhatIsNotAskedForIsNotEstimated) {
   EXPECT_FALSE(series.whole());
   EXPECT_NEAR(series.validation[2], 0.003 / std::sqrt(3), 1e-12) << "of the data alone";
   EXPECT_EQ(series.finding,
-            "model error between 0.00654 and 0.0135 m, or in wider bounds: not every part is estimated");
+            "distinguishable at 1 of 3 times, at 1 s: model error between 0.00654 and 0.0135 m at 1 s, or in "
+            "wider bounds: not every part is estimated");
 }
 
 TEST(RunUncertainty, HasATimeBetweenOutputsOnlyWhereInterpolationCanBeTold) {
@@ -201,8 +224,8 @@ TEST(AssessmentFile, OfAnotherRunOrDamagedIsRefused) {
            {refused(text, heavier), "it is that of another run: book: mid.y differs from the reference by"},
            {refused(text.substr(0, text.size() / 2), run), ": is not JSON"},
            {refused(changed("assessment", "sweep"), run), "it is no assessment"},
-           {refused(changed("\"version\": 1", "\"version\": 2"), run),
-            "its version is 2, this program reads up to 1"},
+           {refused(changed("\"version\": 2", "\"version\": 1"), run),
+            "its version is 1, this program reads version 2"},
            {refused(changed("\"mid.y\"", "\"mid.x\""), run), "book: mid.x is not compared"},
            {refused(changed("not estimated", "not imagined"), run), "'not imagined' is no word for it"},
        })

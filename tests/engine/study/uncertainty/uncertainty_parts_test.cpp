@@ -31,7 +31,8 @@ TEST(UncertaintyParts, TheValidationUncertaintyIsTheRootOfTheSumOfSquares) {
   EXPECT_EQ(series.greatest, 1U);
   EXPECT_NEAR(series.share_within, 2.0 / 3, 1e-15)
       << "|E| of 0 and 7 are within 8 and 10, 11 is not within 10";
-  EXPECT_EQ(series.finding, "model error between 1 and 21 m");
+  EXPECT_EQ(series.beyond, std::vector<std::size_t>{1});
+  EXPECT_EQ(series.finding, "distinguishable at 1 of 3 times, at 1 s: model error between 1 and 21 m at 1 s");
   EXPECT_TRUE(series.whole());
 }
 
@@ -44,13 +45,53 @@ TEST(UncertaintyParts, APartThatIsNotEstimatedIsNotZeroButMakesTheRestALowerBoun
   EXPECT_TRUE(made_series({3}, {estimated("data", {1}), none}).whole());
 }
 
-TEST(UncertaintyParts, WordsSayWhatFollows) {
-  EXPECT_EQ(comparison_finding(-1, 1, "m", true, true), "not distinguishable at this uncertainty");
-  EXPECT_EQ(comparison_finding(-1, 2, "m", true, false), "not distinguishable at this uncertainty");
-  EXPECT_EQ(comparison_finding(-3, 1, "m", true, true), "model error between 2 and 4 m");
-  EXPECT_EQ(comparison_finding(3, 1, "N", false, true), "numerical error between 2 and 4 N")
+TEST(UncertaintyParts, WordsSayWhatFollowsOverAllTimes) {
+  const auto found = [](std::vector<double> error, double u) {
+    const std::vector<double> of_all(error.size(), u);
+    return made_series(std::move(error), {estimated("data", of_all)}).finding;
+  };
+  EXPECT_EQ(found({-1}, 1), "not distinguishable at this uncertainty");
+  EXPECT_EQ(found({-1, 2, 0}, 1), "not distinguishable at any of 3 times");
+  EXPECT_EQ(found({-3}, 0.5), "model error between 2 and 4 m");
+  EXPECT_EQ(found({0, -3, 5, 4, 0}, 0.5),
+            "distinguishable at 3 of 5 times, from 1 to 3 s: model error between 4 and 6 m at 2 s");
+  EXPECT_EQ(found({-3, 0, 5}, 0.5),
+            "distinguishable at 2 of 3 times, between 0 and 2 s: model error between 4 and 6 m at 2 s");
+  EXPECT_EQ(found({NAN, 0}, 1), "nothing can be said: it is not a number");
+  SeriesUncertainty computed = made_series({3}, {estimated("data", {0.5})});
+  computed.published = false;
+  conclude(computed);
+  EXPECT_EQ(computed.finding, "numerical error between 2 and 4 m")
       << "a computed reference says nothing of the model";
-  EXPECT_EQ(comparison_finding(NAN, 1, "m", true, true), "nothing can be said: it is not a number");
+}
+
+TEST(UncertaintyParts, AnOrderThatElementsDoNotHaveIsNoEstimateButABound) {
+  const ThreeMeshes meshes{{16, 8, 4}, OfThree::coarsest};
+  // 1.6 and 1.8 change by nearly the same: an order of 0.17, by which the error would be called 11 times
+  // that.
+  for (const double second : {1.8 + 0.2 * std::pow(2, 0.17), 1.8 + 0.2 * std::pow(2, 4.6)}) {
+    const UncertaintyPart mesh =
+        mesh_part(meshes, {ColumnValues{{1.6}, {}}, ColumnValues{{1.8}, {}}, ColumnValues{{second}, {}}});
+    EXPECT_EQ(mesh.state, PartState::bounded) << mesh.how;
+    EXPECT_NEAR(mesh.values.at(0), 3 * (second - 1.6) / std::sqrt(3), 1e-12);
+    EXPECT_NE(mesh.how.find("to the finest mesh"), std::string::npos) << mesh.how;
+  }
+  const UncertaintyPart possible =
+      mesh_part(meshes, {ColumnValues{{1.6}, {}}, ColumnValues{{1.8}, {}}, ColumnValues{{2.2001}, {}}});
+  EXPECT_EQ(possible.state, PartState::estimated) << possible.how;
+}
+
+TEST(UncertaintyParts, TheDataHaveTheErrorsOfTheComputationBehindThem) {
+  ReferenceSeries series;
+  series.unit = "m";
+  series.uncertainty = 0.003 * std::sqrt(3);
+  series.uncertainty_basis = "a guess";
+  const UncertaintyPart data =
+      data_part(series, 3, {{"time integration", {0, -0.004 * std::sqrt(3), 0.001}}});
+  EXPECT_NEAR(data.values[0], 0.003, 1e-15);
+  EXPECT_NEAR(data.values[1], 0.005, 1e-15);
+  EXPECT_NEAR(data.values[2], 0.005, 1e-15) << "the greatest up to each time";
+  EXPECT_NE(data.how.find("time integration"), std::string::npos) << data.how;
 }
 
 TEST(UncertaintyParts, ARunWithoutAResultLeavesItsPartNotEstimatedAndSaysWhy) {
@@ -82,23 +123,19 @@ TEST(UncertaintyParts, TheMeshPartSaysWhichMeshItIsOfAndHow) {
       mesh_part({{16, 8, 4}, OfThree::coarsest},
                 {ColumnValues{{1 + 0.01}, {}}, ColumnValues{{1 + 0.04}, {}}, ColumnValues{{1 + 0.16}, {}}});
   ASSERT_EQ(mesh.state, PartState::estimated) << mesh.how;
-  EXPECT_NEAR(mesh.values.at(0), 1.25 * 0.16 / 1.15, 1e-9);
+  EXPECT_NEAR(mesh.values.at(0), 1.25 * 0.16 / std::sqrt(3), 1e-9);
   for (const char* words : {"coarsest of meshes of 16, 8 and 4 elements", "order 2.00", "safety factor 1.25"})
     EXPECT_NE(mesh.how.find(words), std::string::npos) << mesh.how;
 }
 
 TEST(UncertaintyParts, FailedSamplesAreLeftOutAndTooFewAreNoEstimate) {
-  InputSampling sampling;
-  sampling.samples = 3;
-  sampling.inputs.resize(1);
   const ColumnValues failed{{}, "it blew up"};
-  const UncertaintyPart part =
-      input_part(sampling, {ColumnValues{{1, 5}, {}}, failed, ColumnValues{{3, 5}, {}}});
+  const UncertaintyPart part = input_part(1, 1, {ColumnValues{{1, 5}, {}}, failed, ColumnValues{{3, 5}, {}}});
   ASSERT_EQ(part.state, PartState::estimated);
   EXPECT_NEAR(part.values.at(0), std::sqrt(2), 1e-15);
   EXPECT_EQ(part.values.at(1), 0);
   EXPECT_NE(part.how.find("over 2 of 3 samples"), std::string::npos) << part.how;
-  EXPECT_EQ(input_part(sampling, {ColumnValues{{1}, {}}, failed, failed}).state, PartState::not_estimated);
+  EXPECT_EQ(input_part(1, 1, {ColumnValues{{1}, {}}, failed, failed}).state, PartState::not_estimated);
 }
 
 TEST(UncertaintyParts, AHalfWidthBecomesAStandardUncertaintyAndSaysHow) {

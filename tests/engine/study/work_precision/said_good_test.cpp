@@ -116,7 +116,7 @@ std::string time(const std::vector<double>& run, const ColumnValues& finer) {
 std::string sampled(const std::vector<double>& samples) {
   std::vector<ColumnValues> columns;
   for (const double value : samples) columns.push_back({{value}, ""});
-  const UncertaintyPart part = input_part({}, columns);
+  const UncertaintyPart part = input_part(1, 1, columns);
   return part.state == PartState::estimated ? fmt::format("{:.2g}", part.values.front()) : "not estimated";
 }
 

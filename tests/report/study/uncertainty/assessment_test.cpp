@@ -8,6 +8,7 @@
 #include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/study/uncertainty/budget_figure.h"
 #include "report/study/uncertainty/budget_section.h"
+#include "report/study/uncertainty/uncertainty_figure.h"
 #include "report/study/uncertainty/uncertainty_section.h"
 #include "report/verdict/results.h"
 #include "tests/report/made_run.h"
@@ -35,15 +36,35 @@ TEST(UncertaintyJson, IsReadBackAsItWas) {
 
 TEST(UncertaintySection, SaysEveryPartAndNeverANumberForOneThatIsNotEstimated) {
   const std::string page = uncertainty_on_page().html(uncertainty_json(made_uncertainty()), {});
-  expect_all_in(page, {"known: tip.y", ">-0.1<", ">0.003<", ">0.004<", ">≥ 0.005<", ">≥ 0.01<", "67 %",
-                       "model error between 0.09 and 0.11 m, or in wider bounds", "by &lt;meshes&gt;",
-                       "nobody knows", "not estimated", "no part", "standard deviation 25 %",
-                       "a &lt;sheet&gt;", "4 samples were asked for; 3 have a result, 1 failed",
-                       "cable.density = -1: refused", "other: tip.x: the run did not complete"});
+  expect_all_in(page,
+                {"known: tip.y", ">-0.1<", ">0.003<", ">0.004<", ">≥ 0.005<", ">≥ 0.01<", "67 %",
+                 "distinguishable at 1 of 3 times, at 1 s: model error between 0.09 and 0.11 m at 1 s",
+                 "by &lt;meshes&gt;", "nobody knows", "not estimated", "no part", "standard deviation 25 %",
+                 "a &lt;sheet&gt;", "4 samples were asked for; 3 have a result, 1 failed",
+                 "cable.density = -1: refused", "other: tip.x: the run did not complete"});
   EXPECT_EQ(page.find(">0<"), std::string::npos) << page;
   const std::string whole =
       uncertainty_on_page().html(uncertainty_json(made_uncertainty(PartState::no_part)), {});
   EXPECT_EQ(whole.find("≥"), std::string::npos) << "every part is known";
+}
+
+TEST(UncertaintyFigure, HasABandOfTwiceTheUncertaintyForEverySeriesWithManyTimes) {
+  Uncertainty made = made_uncertainty();
+  EXPECT_TRUE(uncertainty_figure(made).plot.panels.empty()) << "three times make no curve";
+  SeriesUncertainty& series = made.series[0];
+  for (UncertaintyPart& part : series.parts)
+    if (part.has_values()) part.values.assign(fewest_times_drawn, part.values.back());
+  series.times.clear();
+  for (std::size_t k = 0; k < fewest_times_drawn; ++k) series.times.push_back(static_cast<double>(k));
+  series.error.assign(fewest_times_drawn, 0.02);
+  conclude(series);
+  const Figure figure = uncertainty_figure(made);
+  const Panel& panel = figure.plot.panels.at(0);
+  EXPECT_NEAR(panel.series.at(0).band.upper.at(3), 0.01, 1e-15);
+  EXPECT_NEAR(panel.series[0].band.lower.at(3), -0.01, 1e-15);
+  EXPECT_EQ(panel.series[0].label, "± 2 u, at least");
+  EXPECT_EQ(panel.series.at(1).y, series.error);
+  EXPECT_NE(figure.alt.find("distinguishable at 8 of 8 times"), std::string::npos) << figure.alt;
 }
 
 TEST(VerdictUncertainty, TheTextOfAVerdictSaysErrorUncertaintyAndWhatFollows) {
@@ -52,8 +73,9 @@ TEST(VerdictUncertainty, TheTextOfAVerdictSaysErrorUncertaintyAndWhatFollows) {
                 without = evaluate(run, {});
   ASSERT_EQ(with.verdicts.size(), 1U);
   EXPECT_EQ(with.verdicts[0].message, without.verdicts[0].message +
-                                          "; E = -0.1 m with u_val ≥ 0.005 m: model error between 0.09 and "
-                                          "0.11 m, or in wider bounds: not every part is estimated");
+                                          "; E = -0.1 m with u_val ≥ 0.005 m: distinguishable at 1 of 3 "
+                                          "times, at 1 s: model error between 0.09 and 0.11 m at 1 s, or in "
+                                          "wider bounds: not every part is estimated");
   EXPECT_EQ(with.verdicts[0].status, without.verdicts[0].status) << "the criterion is the case's own";
 }
 

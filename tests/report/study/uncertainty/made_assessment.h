@@ -42,26 +42,27 @@ inline ErrorBudget made_budget() {
     made.method = method;
     made.elements = 4;
     made.seconds = 0.01;
-    made.distances = {{"y", 2e-3 * scale, BudgetDistance{1e-3 * scale, 0.5, 1.5e-3 * scale, 0.55}},
-                      {"z", 5e-3 * scale, BudgetDistance{4e-3 * scale, 1, 5e-3 * scale, 1}}};
+    made.distances = {
+        {"y", 2e-3 * scale, BudgetDistance{1e-3 * scale, 0.5, 1.5e-3 * scale, 0.55}, {0, 1e-3 * scale, 0}},
+        {"z", 5e-3 * scale, BudgetDistance{4e-3 * scale, 1, 5e-3 * scale, 1}, {0, 0, 4e-3 * scale}}};
     return made;
   };
   ErrorBudget made;
   made.reference = "known";
   made.interval = 0.001;
-  made.reference_times = 3;
+  made.times = {0, 0.5, 1};
   made.seconds = 0.25;
   made.series = {{"y", "tip.y", "height", "m"}, {"z", "tip.z", "", "m"}};
   made.base = run("euler", 1);
-  made.base.distances = {{"y", 1e-6, {}}, {"z", 2e-6, {}}};
+  made.base.distances = {{"y", 1e-6, {}, {}}, {"z", 2e-6, {}, {}}};
   BudgetRun failed;
   failed.outcome = Outcome::unstable;
   failed.message = "it grew";
   failed.method = "rk4, step 1 s";
   failed.elements = 4;
-  made.entries = {{"gravity", "as <stated>", true, run("euler", 1)},
-                  {"step", "", true, failed},
-                  {"strain", "", false, run("euler", 0.1)}};
+  made.entries = {{"gravity", "as <stated>", true, false, false, true, run("euler", 1)},
+                  {"step", "", true, true, false, true, failed},
+                  {"strain", "", false, false, false, false, run("euler", 0.1)}};
   made.together = run("rk4", 3);
   return made;
 }
