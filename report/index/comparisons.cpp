@@ -12,8 +12,8 @@ namespace {
 const Document* verdict_on(const Document& error, const Document& report) {
   const auto text = [&](const char* key) { return error.at(key).get<std::string>(); };
   const std::string run = text("run"), given = run == report.value("reported", "Plumb") ? "" : run + ": ";
-  const std::string name =
-      given + text("reference") + ": " + (error.value("exact", false) ? "exact: " : "") + text("column");
+  const std::string name = given + text("reference") + ": " +
+                           (error.value("against", "printed") == "exact" ? "exact: " : "") + text("column");
   for (const Document& verdict : report.at("verdicts"))
     if (verdict.at("name") == name) return &verdict;
   return nullptr;

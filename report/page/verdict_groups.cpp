@@ -50,7 +50,7 @@ std::string margin(const Verdict& verdict) {
 data row_of(const Verdict& verdict) {
   data row;
   row["status"] = std::string(word(verdict.status));
-  row["class"] = class_of_status(std::string(word(verdict.status)));
+  row["class"] = class_of(verdict.status);
   row["name"] = verdict.name;
   row["criterion"] = verdict.criterion;
   row["found"] =

@@ -26,7 +26,7 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
   for (const Verdict* verdict : order) {
     data row;
     row["status"] = std::string(word(verdict->status));
-    row["class"] = class_of_status(std::string(word(verdict->status)));
+    row["class"] = class_of(verdict->status);
     row["kind"] = std::string(word(verdict->kind));
     row["name"] = verdict->name;
     row["criterion"] = verdict->criterion;
@@ -49,6 +49,10 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
 std::string class_of_status(std::string status) {
   std::replace(status.begin(), status.end(), ' ', '-');
   return status;
+}
+
+std::string class_of(VerdictStatus status) {
+  return class_of_status(std::string(word(status)));
 }
 
 std::string verdict_html(const std::vector<Verdict>& verdicts) {

@@ -7,7 +7,9 @@
 
 namespace plumb {
 
-/// What the style of the pages calls a status of a verdict: "passed", "not-run", "another-model".
+/// The class of a status in style sheets: "passed", "not-run".
+std::string class_of(VerdictStatus status);
+/// The same of what a document says in the place of one: "not held against anything".
 std::string class_of_status(std::string status);
 
 /// Verdicts as a table of a page, those that failed first.

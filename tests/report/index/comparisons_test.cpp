@@ -108,6 +108,21 @@ TEST(Comparisons, TheStartIsNoPrediction) {
   EXPECT_EQ(found[0].at("farthest").at("at"), 1.0);
 }
 
+TEST(Comparisons, ThatWithExactFiguresHasTheVerdictOnThese) {
+  Document document = document_of(evaluate(run_with("made"), {}), {});
+  Document exact = document["verdicts"][0];
+  exact["name"] = "known: exact: tip.y";
+  exact["kind"] = "verification";
+  document["verdicts"].push_back(exact);
+  document["errors"].push_back(document["errors"][0]);
+  document["errors"][1]["against"] = "exact";
+  const Document found = comparisons_of(document, "here");
+  EXPECT_EQ(found[0].at("name"), "known: tip.y");
+  EXPECT_EQ(found[0].at("kind"), "validation");
+  EXPECT_EQ(found[1].at("name"), "known: exact: tip.y");
+  EXPECT_EQ(found[1].at("kind"), "verification");
+}
+
 TEST(Comparisons, AVerdictOfAnotherModelIsAKindOfItsOwn) {
   Document document = document_of(evaluate(run_with("made"), {}), {});
   document["verdicts"][0]["status"] = "another model";

@@ -124,7 +124,7 @@ TEST_F(SeveralCases, ThatAreInterruptedLeaveWhatIsDoneAndNothingHalf) {
   ASSERT_GT(all, 0);
   const auto ended_one = [&] { return read_text(folder_ / "stdout").find("1 of 3") != std::string::npos; };
   for (int k = 0; k < 12000 && !ended_one(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  ::kill(all, SIGINT);
+  ::kill(all, SIGTERM);
   const Ended ended = finish(all, folder_.path());
   EXPECT_EQ(ended.status, 130) << ended.out << ended.err;
   int whole = 0;
