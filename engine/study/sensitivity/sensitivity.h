@@ -45,8 +45,11 @@ struct Sensitivity {
   int runs = 0;         ///< that were made for it
   double seconds = -1;  ///< they took, by the clock
 
-  /// A criterion that is met and notices no number within a factor of two, nor any blunder. That a run fails
-  /// and that a finer mesh is seen says nothing for it.
+  /// How many numbers a criterion notices that are wrong by a factor of two or less, and how many blunders.
+  /// That a run fails and that a finer mesh is seen says nothing for it.
+  long noticed_numbers(std::size_t criterion) const;
+  long noticed_blunders(std::size_t criterion) const;
+  /// A criterion that is met and notices none of either.
   bool weak(std::size_t criterion) const;
   std::vector<std::string> weak_names() const;
 };

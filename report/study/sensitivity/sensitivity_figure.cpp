@@ -71,7 +71,7 @@ Figure sensitivity_figure(const Sensitivity& found) {
   }
   for (std::size_t place = 0; place < shown.size(); ++place) {
     const std::string& name = found.criteria[shown[place]].name;
-    figure.plot.key.lines.push_back(key_of(literal(name), palette[place % palette.size()]));
+    panel.series.push_back(key_of(literal(name), palette[place % palette.size()]));
     text += fmt::format(" {}:", name);
     for (const NumberSensitivity& number : found.numbers) {
       const double change = least_percent(number, shown[place]);
@@ -80,8 +80,12 @@ Figure sensitivity_figure(const Sensitivity& found) {
     }
     text += ".";
   }
-  if (any_nothing) figure.plot.key.lines.push_back(key_of("nothing is noticed", nothing_color));
-  panel.y.range = {-0.6, static_cast<double>(found.numbers.size()) - 0.4};
+  if (any_nothing) panel.series.push_back(key_of("nothing is noticed", nothing_color));
+  // Pixels: of a bar, between groups, and of the legend, which has the space above them to itself.
+  constexpr int row = 30, gap = 24, legend_row = 42, around = 280;
+  const int group = gap + row * static_cast<int>(std::max<std::size_t>(1, shown.size()));
+  const int legend = legend_row * static_cast<int>(panel.series.size() + 1);
+  panel.y.range = {-0.6, static_cast<double>(found.numbers.size()) - 0.4 + 1.0 * legend / group};
 
   figure.name = "sensitivity";
   figure.title = "The smallest change of each number that a criterion notices";
@@ -90,10 +94,7 @@ Figure sensitivity_figure(const Sensitivity& found) {
       "the shorter, the more is noticed." +
       text;
   figure.plot.title = figure.title;
-  constexpr int around = 330, row = 30, gap = 24;
-  figure.plot.height = around +
-                       static_cast<int>(found.numbers.size()) * (gap + row * static_cast<int>(shown.size())) +
-                       30 * static_cast<int>(shown.size());
+  figure.plot.height = around + static_cast<int>(found.numbers.size()) * group + legend;
   figure.plot.font_size = 30;
   figure.plot.panels.push_back(std::move(panel));
   return figure;

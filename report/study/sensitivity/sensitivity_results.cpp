@@ -62,8 +62,14 @@ Verdict verdict_of(const Sensitivity& found, std::size_t k) {
   verdict.unit = "1";
   verdict.limit = 0;
   verdict.reason = "A criterion that lets every mistake pass says nothing where it is met.";
-  verdict.detail = verdict.message = noticed_in_words(found, k);
-  if (!judged.met) return verdict;
+  if (!judged.met) {
+    verdict.detail = verdict.message = noticed_in_words(found, k);
+    return verdict;
+  }
+  verdict.detail = verdict.message =
+      fmt::format("it notices {} within a factor of two, and {}",
+                  counted(found.noticed_numbers(k), "number of the model", "numbers of the model"),
+                  counted(found.noticed_blunders(k), "blunder", "blunders"));
   verdict.value = found.weak(k) ? 1 : 0;
   verdict.status = found.weak(k) ? VerdictStatus::failed : VerdictStatus::passed;
   return verdict;

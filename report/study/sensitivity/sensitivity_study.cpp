@@ -34,7 +34,12 @@ class MadeSensitivity : public MadeStudy {
                                 shown.html(sensitivity_document(study_.result), pictures)),
             .verdict_note = "All are <strong>verification</strong>: of what the criteria are worth."};
   }
-  std::vector<Finding> findings() const override { return {}; }
+  std::vector<Finding> findings() const override {
+    std::vector<Finding> lines;
+    for (std::size_t k = 0; k < study_.result.criteria.size(); ++k)
+      lines.push_back({noticed_in_words(study_.result, k)});
+    return lines;
+  }
 
  private:
   SensitivityStudy study_;
@@ -57,7 +62,8 @@ StudyKind sensitivity_study() {
           },
           [](const std::string& json, const std::string& file) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeSensitivity>(decode_sensitivity(json, file));
-          }};
+          },
+          true};
 }
 
 }  // namespace plumb

@@ -95,6 +95,63 @@ TEST(SensitivityProgram, ARunHasItBesideItsVerdictsWhichStayAsTheyAre) {
       << "its seconds would differ if it were made anew";
 }
 
+TEST(SensitivityProgram, ARigidRodIsAskedWithoutWhatItDoesNotHave) {
+  const TemporaryFolder folder;
+  write_text(folder / "known.toml", R"(title = "known"
+kind = "computed"
+source = "a"
+obtained = "by hand"
+time_unit = "s"
+columns = ["t", "y"]
+rows = [[0.0, 0.0], [0.1, -0.0736]]
+[[series]]
+name = "y"
+figure = "none"
+unit = "m"
+uncertainty = 1e-3
+uncertainty_basis = "rounding"
+)");
+  write_text(folder / "rod.toml", R"(title = "Rod"
+[cable]
+length = 1
+area = 25e-6
+density = 320
+youngs_modulus = 1.6e6
+elements = 1
+model = "rigid"
+[supports]
+first = "pinned"
+[loads]
+gravity = [0, -9.81, 0]
+[method]
+name = "rk4"
+step = 1e-2
+[time]
+end = 0.1
+output_interval = 0.05
+[[probe]]
+name = "tip"
+at = 1
+[[reference]]
+file = "known.toml"
+compare = { y = "tip.y" }
+tolerance = 2e-3
+)");
+  const Ended ended = plumb_in(folder.path(), {"study", "rod.toml", "sensitivity", "--json"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json found = Json::parse(ended.out).at("sensitivity");
+  for (const Json& number : found["numbers"])
+    EXPECT_EQ(number["key"].get<std::string>().find("stiffness"), std::string::npos) << number["key"];
+  EXPECT_NEAR(found["numbers"][2]["up"]["noticed"][0]["change"].get<double>(), 2e-3 / 0.0736, 3e-3)
+      << "of gravity: the tip falls by 3 g t²/4";
+  EXPECT_EQ(found["numbers"][1]["up"]["noticed"][0]["change"], -1) << "of density, which does not matter";
+  for (const Json& blunder : found["blunders"]) {
+    const std::string kind = blunder["kind"];
+    const bool of_others = kind == "chain" || kind == "lumped-mass" || kind == "half-mesh";
+    EXPECT_TRUE(!of_others || blunder["why_not"] != "") << blunder["name"];
+  }
+}
+
 TEST(SensitivityProgram, ACaseWithoutACriterionOrAMethodIsRefused) {
   const TemporaryFolder folder;
   write_case(folder.path());

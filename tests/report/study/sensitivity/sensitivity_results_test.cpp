@@ -52,6 +52,9 @@ TEST(SensitivityReport, HasAVerdictOnEachCriterion) {
   for (const Verdict& verdict : report.verdicts) statuses.push_back(verdict.status);
   EXPECT_EQ(statuses, (std::vector{VerdictStatus::passed, VerdictStatus::failed, VerdictStatus::not_run,
                                    VerdictStatus::failed}));
+  EXPECT_EQ(report.verdicts[0].message,
+            "it notices 2 numbers of the model within a factor of two, and 1 blunder")
+      << "neither the run that fails nor the finer mesh";
   expect_in(report.headline,
             {"3 criteria were asked what they notice of 3 numbers of the model and 3 blunders",
              "Weak: known: tip.x and known: <mid.y> notice nothing."});
