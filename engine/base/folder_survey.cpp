@@ -34,8 +34,8 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[n]) {
 constexpr std::string_view run_names[] = {"run.h5", "probes.csv", "modes.csv"};
 constexpr std::string_view page_names[] = {"index.html", "results.json"};
 constexpr std::string_view animation_names[] = {"animation.png", "player.png"};
-constexpr std::string_view other_names[] = {"study.h5", "study.json", "choice.json", "assessment.json",
-                                            "points.jsonl"};
+constexpr std::string_view other_names[] = {"study.h5",        "study.json",       "choice.json",
+                                            "assessment.json", "sensitivity.json", "points.jsonl"};
 
 bool holds_below(const ListedFiles& files, const std::string& folder) {
   const auto first = files.lower_bound(folder + "/");

@@ -74,6 +74,8 @@ struct CableSpec {
   CableModel model = CableModel::cable;
   StrainModel strain = StrainModel::green_geometric;
   QuadratureRule quadrature = QuadratureRule::full;
+  /// Half of each element's mass at either end, as a chain has it; no key: a mistake made on purpose.
+  bool lumped = false;
 
   friend bool operator==(const CableSpec&, const CableSpec&) = default;
 };
@@ -441,6 +443,7 @@ struct Case {
   std::vector<GivenRunSpec> given_runs;
   std::optional<UncertaintySpec> uncertainty;
   std::optional<BudgetSpec> error_budget;
+  std::optional<SensitivitySpec> sensitivity;
 
   // Compiled once, as they are long and many use them.
   Case();

@@ -33,7 +33,8 @@ struct CaseSource {
 };
 
 /// Whether something is made of a section that not all commands use: "scene", "uncertainty", "error_budget",
-/// "study.sweep" and so on. What is wrong in one that is not used is a remark, and the section left out.
+/// "sensitivity", "study.sweep" and so on. What is wrong in one that is not used is a remark, and the section
+/// left out.
 using SectionUse = std::function<bool(std::string_view section)>;
 bool use_all(std::string_view section);
 

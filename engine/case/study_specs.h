@@ -103,4 +103,36 @@ void visit_keys(SpecOf<EconomySpec> auto& study, auto&& visit) {
   visit(Key{.name = "reference_elements", .range = Range::whole_between(2, 4096)}, study.reference_elements);
 }
 
+/// A mistake of a program, made on purpose to see which criteria notice it.
+enum class Blunder {
+  no_bending,        ///< EI = 0
+  chain,             ///< a chain of springs and masses in the place of the cable
+  strain_model,      ///< the other one
+  half_mesh,         ///< half as many elements
+  double_mesh,       ///< twice as many, which is more right than wrong
+  lumped_mass,       ///< half of each element's mass at either end
+  zero_slope_rates,  ///< at the start
+  first_order,       ///< an implicit integrator of order 1
+  rounded_gravity,   ///< 9.8 for 9.81 m/s², or the reverse
+  density_unit,      ///< a density 1000 times too large or too small
+  other_sign,        ///< of one load
+  late_output,       ///< each output is that of one interval before
+};
+
+/// [sensitivity]: which mistakes the criteria of the case notice.
+struct SensitivitySpec {
+  std::vector<std::string> numbers;  ///< that are changed: keys of model_numbers()
+  std::vector<Blunder> blunders;     ///< that are made where the case can make them
+  double largest = 0;                ///< factor up to which, and share down to which, numbers are changed
+  double time_limit = 0;             ///< of one run, s
+
+  friend bool operator==(const SensitivitySpec&, const SensitivitySpec&) = default;
+};
+
+/// All but its lists.
+void visit_keys(SpecOf<SensitivitySpec> auto& study, auto&& visit) {
+  visit(Key{.name = "largest", .range = Range::between(1.01, 1e6, "")}, study.largest);
+  visit(Key{.name = "time_limit", .range = Range::positive("s")}, study.time_limit);
+}
+
 }  // namespace plumb

@@ -22,6 +22,8 @@ const MethodInfo& accurate_explicit(const Case& spec);
 const MethodInfo& embedded_explicit();
 /// One implicit stage with a fixed step of any length, damped (MethodInfo::damps_with).
 const MethodInfo& usual_implicit();
+/// The same of order 1, which damps all that moves.
+const MethodInfo& first_order_implicit();
 /// Of high order with a fixed step of any length, unlike any explicit method.
 const MethodInfo& accurate_implicit();
 /// Of keeps_energy.

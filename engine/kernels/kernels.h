@@ -21,6 +21,7 @@ struct ElementConstants {
   bool green = true;               ///< green-geometric, else engineering-material
   bool full = true;                ///< full quadrature, else reduced
   bool lumped = false;             ///< half of the mass at either end, else consistent; not read by `force`
+  bool straight = false;           ///< a link that only stretches; not read by kernels
 };
 
 /// A node's part in the L D Lᵀ of the scalar mass matrix: the 2 by 2 multipliers of (r, g) of the node in the

@@ -28,6 +28,7 @@ Cable::Cable(const Case& spec)
                  {loads_.per_mass().x(), loads_.per_mass().y(), loads_.per_mass().z()},
                  spec.cable.strain == StrainModel::green_geometric,
                  spec.cable.quadrature == QuadratureRule::full,
+                 spec.cable.lumped || spec.cable.model == CableModel::chain,
                  spec.cable.model == CableModel::chain},
       chain_(spec.cable.model == CableModel::chain ? std::optional<Chain>(constants_) : std::nullopt),
       supports_(spec.supports, spec.start.direction, spec.cable.elements + 1, spec.cable.model),

@@ -92,7 +92,7 @@ Damping::Damping(const DampingSpec& spec, const ElementConstants& element, int e
       green_(element.green),
       straight_(1e-10 / (element.length * elements)) {
   const double l = element.length;
-  if (element.lumped) {
+  if (element.straight) {
     axial_points_ = {{l, {-1 / l, 0, 1 / l, 0}, {}}};
     bending_ = 0;
     return;

@@ -64,7 +64,7 @@ Eigen::MatrixXd StrainStiffness::of(const Eigen::MatrixXd& X) const {
   for (int e = 0; e < cable_.elements(); ++e) {
     const Eigen::Matrix<double, 12, 1> q = q_.segment<12>(6 * e);
     const auto x = X.middleRows<12>(6 * e);
-    if (c.lumped) {
+    if (c.straight) {
       const Vec3 chord = (q.segment<3>(6) - q.head<3>()) / c.length;
       const Eigen::Matrix<double, 3, Eigen::Dynamic> change =
           (x.middleRows<3>(6) - x.topRows<3>()) / c.length;
@@ -92,8 +92,8 @@ double StrainStiffness::scale_of(const Eigen::VectorXd& x) const {
   for (int e = 0; e < cable_.elements(); ++e) {
     const Eigen::Matrix<double, 12, 1> own = x.segment<12>(6 * e);
     for (const QuadraturePoint& point : gauss_rule(3))
-      sum += point.weight * (c.lumped ? (own.segment<3>(6) - own.head<3>()) / c.length
-                                      : Vec3(changes_at(own, point.x, c.length).topRows<3>()))
+      sum += point.weight * (c.straight ? (own.segment<3>(6) - own.head<3>()) / c.length
+                                        : Vec3(changes_at(own, point.x, c.length).topRows<3>()))
                                 .squaredNorm();
   }
   return c.axial_stiffness * c.length * sum;

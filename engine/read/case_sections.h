@@ -144,4 +144,8 @@ UncertaintySpec read_uncertainty(TableReader table, const Case& spec);
 BudgetSpec read_error_budget(TableReader table, const std::vector<ReferenceUse>& references,
                              const CaseWithOverrides& with);
 
+/// [sensitivity], of a case whose other sections have been read; an empty table gives the defaults.
+SensitivitySpec read_sensitivity(TableReader table, const Case& spec);
+SensitivitySpec default_sensitivity(const Case& spec);
+
 }  // namespace plumb

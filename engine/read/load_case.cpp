@@ -80,7 +80,7 @@ TomlValue without_studies(const TomlValue& written) {
   TomlValue result = written;
   std::erase_if(result.items, [](const TomlValue& item) {
     return item.key == "study" || item.key == "uncertainty" || item.key == "error_budget" ||
-           item.key == "run";
+           item.key == "sensitivity" || item.key == "run";
   });
   return result;
 }
@@ -174,8 +174,9 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   const std::vector<TableReader> figures = root.tables("figure");
   const TableReader scene = root.table("scene");
   const TableReader study = root.table("study"), uncertainty = root.table("uncertainty");
-  const TableReader error_budget = root.table("error_budget");
-  const bool has_uncertainty = root.has("uncertainty"), has_error_budget = root.has("error_budget");
+  const TableReader error_budget = root.table("error_budget"), sensitivity = root.table("sensitivity");
+  const bool has_uncertainty = root.has("uncertainty"), has_error_budget = root.has("error_budget"),
+             has_sensitivity = root.has("sensitivity");
   root.finish();
 
   spec.parameters = parameters.values();
@@ -233,7 +234,7 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
     check_given_runs(runs, spec, given.runs);
     note_shortcomings(spec, given);
     if (given_only)
-      for (const char* key : {"study", "uncertainty", "error_budget"})
+      for (const char* key : {"study", "uncertainty", "error_budget", "sensitivity"})
         if (root.has(key))
           root.refuse_value(key, "belongs to runs of Plumb's own; a case without [method] has none");
     read_studies(study, file, written, overrides, files, uses, loaded);
@@ -250,6 +251,8 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
               return read_case(file, written, joined_overrides(overrides, more), files, Extent::motion).spec;
             });
       });
+    if (has_sensitivity)
+      section("sensitivity", [&] { spec.sensitivity = read_sensitivity(sensitivity, spec); });
   }
 
   loaded.references = std::move(read.references);

@@ -13,8 +13,9 @@ namespace {
 constexpr std::size_t longest_name = 80;
 
 /// A change of these would change what is compared, not how it is computed.
-const std::vector<std::string> closed_tables = {"title",  "time",  "probe", "reference",   "run",
-                                                "figure", "scene", "study", "uncertainty", "error_budget"};
+const std::vector<std::string> closed_tables = {"title",       "time",         "probe",      "reference",
+                                                "run",         "figure",       "scene",      "study",
+                                                "uncertainty", "error_budget", "sensitivity"};
 constexpr std::string_view closed_reason =
     "is no part of how the motion is computed, and cannot be set in an error budget";
 

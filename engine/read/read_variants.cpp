@@ -90,7 +90,7 @@ Read read_variant(TableReader& table, const CaseWithOverrides& with) {
   if (variant.outcome == word(Outcome::completed) && !variant.says.empty())
     table.refuse_value("says", "a run that completes has no message");
 
-  changes.refuse_keys_in({"study", "uncertainty", "error_budget"}, "a variant has no studies");
+  changes.refuse_keys_in({"study", "uncertainty", "error_budget", "sensitivity"}, "a variant has no studies");
   variant.overrides = changes.overrides();
   read.spec = changes.read(with);
   for (TableReader& expectation : read.expectations)

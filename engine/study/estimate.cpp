@@ -10,6 +10,7 @@
 
 #include "engine/integrate/method_roles.h"
 #include "engine/model/straight_frequency.h"
+#include "engine/read/case_sections.h"
 
 namespace plumb {
 namespace {
@@ -160,6 +161,7 @@ class Estimating {
       add(Resource::time, "error budget", fmt::format("{:.0f} runs", runs), "error_budget.item",
           runs * run_seconds());
     }
+    if (spec_.sensitivity) study("sensitivity", sensitivity_parts(spec_, run()));
   }
 
   /// Of a run whose time integration has no part in its error.
@@ -253,6 +255,23 @@ std::vector<EstimatedPart> work_precision_parts(const StudyExtent& extent, const
            "study.work_precision.elements, time.output_interval", 4 * run.states(2 * finest)},
           {Resource::time, "", fmt::format("at most {:.0f} timed runs × {:g} s", runs, extent.time_limit),
            "study.work_precision: elements, methods, points, repeats, time_limit", runs * extent.time_limit}};
+}
+
+std::vector<EstimatedPart> sensitivity_parts(const Case& spec, const RunSize& run) {
+  const SensitivitySpec asked = spec.sensitivity ? *spec.sensitivity : default_sensitivity(spec);
+  double criteria = 0;
+  for (const ReferenceUse& use : spec.references) criteria += static_cast<double>(use.compare.size());
+  // Of one number in one direction: the steps to a bracket, and halvings of it, which criteria share in part.
+  constexpr double bracketing = 6, halvings = 4;
+  const double runs = 2.0 * static_cast<double>(asked.numbers.size()) * (bracketing + halvings * criteria) +
+                      static_cast<double>(asked.blunders.size());
+  return {{Resource::memory, "", fmt::format("{:.0f} runs at once", at_once), "cable.elements",
+           2 * at_once * run.states(2 * run.elements)},
+          {Resource::memory, "", fmt::format("{:.0f} runs in the journal", runs), "sensitivity.numbers",
+           runs * (200 + 50 * criteria)},
+          {Resource::time, "", fmt::format("some {:.0f} runs", runs),
+           "sensitivity: numbers, blunders, largest, time_limit",
+           runs * std::min(run.seconds, asked.time_limit)}};
 }
 
 std::string_view word(Resource resource) {

@@ -60,12 +60,15 @@ using StudyEstimate = std::vector<EstimatedPart> (*)(const Case& spec, const Run
 /// Those of a work-precision study as far as that.
 std::vector<EstimatedPart> work_precision_parts(const StudyExtent& extent, const RunSize& run);
 
+/// Those of finding out what the criteria of a case notice.
+std::vector<EstimatedPart> sensitivity_parts(const Case& spec, const RunSize& run);
+
 /// What is to be done with a case.
 struct PlannedWork {
   bool solves = false;
   bool writes_run = false;        ///< run.h5 and probes.csv
   bool writes_table = false;      ///< probes.csv alone
-  bool assesses = false;          ///< [uncertainty] and [error_budget]
+  bool assesses = false;          ///< [uncertainty], [error_budget] and [sensitivity]
   bool quick_study = false;       ///< the work-precision study of a report
   bool draws = false;             ///< figures and frames, and the report
   StudyEstimate study = nullptr;  ///< that of the kind of study; nullptr: none

@@ -23,7 +23,9 @@ std::string encode_study_record(const char* kind, int version, const CaseSource&
 SectionUse uses_of_study(std::string_view kind) {
   std::string own = fmt::format("study.{}", kind == "variants" ? "variant" : kind);
   std::replace(own.begin(), own.end(), '-', '_');
-  return [own](std::string_view section) { return section == own || section == "scene"; };
+  return [own, kind = std::string(kind)](std::string_view section) {
+    return section == own || section == kind || section == "scene";
+  };
 }
 
 StudyRecord decode_study_record(const std::string& text, const std::string& file, const char* kind,

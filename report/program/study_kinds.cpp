@@ -16,7 +16,7 @@ namespace plumb {
 
 // Every kind, the one that serves where a case asks for none first.
 #define PLUMB_STUDIES(study) \
-  study(work_precision) study(stability) study(variants) study(sweep) study(economy)
+  study(work_precision) study(stability) study(variants) study(sweep) study(economy) study(sensitivity)
 
 #define PLUMB_DECLARE(name) StudyKind name##_study();
 PLUMB_STUDIES(PLUMB_DECLARE)

@@ -28,7 +28,7 @@ ExitStatus do_study(const Options& options, Console& console) {
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && !kind.asks_what_a_scene_needs)
     loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, console);
-  if (loaded.spec.cable.model == CableModel::rigid)
+  if (loaded.spec.cable.model == CableModel::rigid && !kind.takes_rigid)
     throw InputError(loaded.source.file.name +
                      ": cable.model = \"rigid\": a rigid rod has no methods or meshes to study");
   OutputFolder folder(path, folder_for(loaded, options, console));

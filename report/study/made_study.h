@@ -56,6 +56,7 @@ struct StudyKind {
   /// From the text of study.json, which names this kind; nullptr for a study that is kept in study.h5. Throws
   /// InputError, naming the file, for anything that it does not write.
   std::unique_ptr<MadeStudy> (*read)(const std::string& json, const std::string& file);
+  bool takes_rigid = false;  ///< has something to ask of a rigid rod, without methods and meshes
 };
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 
 #include "engine/study/economy/economy_study_json.h"
 #include "engine/study/economy/run_economy.h"
+#include "engine/study/sensitivity/sensitivity_json.h"
 #include "engine/study/stability/stability_file.h"
 #include "engine/study/sweep/sweep_json.h"
 #include "engine/study/variants/variants_file.h"
@@ -17,6 +18,7 @@ std::string again(const std::string& text, std::string_view kind) {
   if (kind == "stability") return encode_stability(decode_stability(text, "study.json"));
   if (kind == "variants") return encode_variants(decode_variants(text));
   if (kind == "sweep") return encode_sweep(decode_sweep(text, "study.json"));
+  if (kind == "sensitivity") return encode_sensitivity(decode_sensitivity(text, "study.json"));
   return encode_economy_study(decode_economy_study(text, "study.json"));
 }
 
@@ -31,7 +33,8 @@ bool feed(std::string_view input) {
 
 std::vector<std::string> seeds() {
   return {encode_stability(made_stability_file()), encode_sweep(made_sweep()),
-          encode_variants(made_variants()), encode_economy_study(made_economy_study())};
+          encode_variants(made_variants()), encode_economy_study(made_economy_study()),
+          encode_sensitivity(made_sensitivity())};
 }
 
 }  // namespace

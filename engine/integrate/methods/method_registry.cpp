@@ -111,6 +111,9 @@ const MethodInfo& embedded_explicit() {
 const MethodInfo& usual_implicit() {
   return known("generalized-alpha");
 }
+const MethodInfo& first_order_implicit() {
+  return known("implicit-euler");
+}
 const MethodInfo& accurate_implicit() {
   return known("gauss");
 }

@@ -66,6 +66,7 @@ TEST(Key, OfEveryTableIsDescribedWithItsUnitInTheReadme) {
   expect_described<StabilitySpec>("`[study.stability]`");
   expect_described<SweepSpec>("`[study.sweep]`");
   expect_described<EconomySpec>("`[study.economy]`");
+  expect_described<SensitivitySpec>("`[sensitivity]`");
 }
 
 /// One field as a range that it must be in, if it is a number.

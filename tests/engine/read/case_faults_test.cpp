@@ -87,7 +87,8 @@ TEST(CaseFaults, AnUnknownKeyOrTableIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "case.toml:60:8: study.mesh: unknown table; known: work_precision…"},
       {"[scene]", "[sweep]\nelements = [1, 2]\n[scene]",
        "case.toml:60:2: sweep: unknown table; known: parameters, title, cable, start, supports, loads, load, "
-       "mass, damping, run, method, time, probe, reference, figure, scene, study, uncertainty, error_budget"},
+       "mass, damping, run, method, time, probe, reference, figure, scene, study, uncertainty, error_budget, "
+       "sensitivity"},
   });
 }
 

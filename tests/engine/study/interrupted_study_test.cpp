@@ -6,6 +6,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/study/economy/economy_study_json.h"
 #include "engine/study/economy/run_economy.h"
+#include "engine/study/sensitivity/sensitivity_members.h"
 #include "engine/study/sweep/run_sweep.h"
 #include "engine/study/sweep/sweep_json.h"
 #include "engine/study/uncertainty/budget_json.h"
@@ -17,6 +18,7 @@
 #include "engine/study/work_precision/work_precision_members.h"
 #include "tests/engine/study/economy/tips_along_z.h"
 #include "tests/engine/study/journal_file.h"
+#include "tests/engine/study/sensitivity/tiny_sensitivity.h"
 #include "tests/engine/study/stability/tiny_stability.h"
 #include "tests/engine/study/sweep/tiny_sweep.h"
 #include "tests/engine/study/work_precision/tiny_study.h"
@@ -182,6 +184,13 @@ TEST(InterruptedStudy, OfAnErrorBudgetGoesOn) {
   std::erase_if(loaded.spec.error_budget->items,
                 [](const BudgetItemSpec& item) { return item.name == "mesh"; });
   expect_same_after_interruption([&](Runner& runner) { return budget_json(run_budget(loaded, runner)); }, 7);
+}
+
+TEST(InterruptedStudy, OfSensitivityGoesOn) {
+  const LoadedCase loaded = tiny_sensitivity_case("largest = 2\n");
+  const Judge judge = tiny_judge(loaded);
+  expect_same_after_interruption(
+      [&](Runner& runner) { return encode(run_sensitivity(loaded, judge, runner)); }, 8);
 }
 
 }  // namespace interrupted_study_test

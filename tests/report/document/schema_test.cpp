@@ -11,6 +11,7 @@
 #include "report/index/run_index.h"
 #include "report/program/results_schema.h"
 #include "report/study/economy/economy_results.h"
+#include "report/study/sensitivity/sensitivity_results.h"
 #include "report/study/stability/stability_results.h"
 #include "report/study/sweep/sweep_results.h"
 #include "report/study/variants/variants_results.h"
@@ -71,6 +72,7 @@ std::map<std::string, Json> made_documents() {
   all["sweep"] = results_of(made_sweep(), evaluate_sweep);
   all["variants"] = results_of(made_variants(), evaluate_variants);
   all["economy"] = results_of(made_economy_study(), evaluate_economy);
+  all["sensitivity"] = results_of(made_sensitivity(), evaluate_sensitivity);
   all["work_precision"] = results_of(whole_work_precision(), evaluate_study);
   Stages stages;
   stages.add("solving", 0.5);

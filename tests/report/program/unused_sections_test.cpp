@@ -22,7 +22,7 @@ TEST(UnusedSections, AReportIsMadeOfARunWhoseStudiesAreWrong) {
   for (const std::string wrong :
        {"[study.economy]\nwidths = [3]\n", "[study.work_precision]\nelements = [0]\n",
         "[study.sweep]\ncases = -1\n", "[study.stability]\nsteps = 1\n", "[uncertainty]\nsamples = 1\n",
-        "[[study.variant]]\nname = \"b\"\nset = { cable.length = -1 }\n"}) {
+        "[sensitivity]\nlargest = 1\n", "[[study.variant]]\nname = \"b\"\nset = { cable.length = -1 }\n"}) {
     const TemporaryFolder folder;
     write_text(folder / "a.toml", with("[scene]\nsize = [96, 54]\n" + wrong));
     const Ended solved = plumb_in(folder.path(), {"solve", "a.toml", "-o", "run"});

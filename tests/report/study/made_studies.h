@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "engine/study/economy/run_economy.h"
+#include "engine/study/sensitivity/sensitivity.h"
 #include "engine/study/sweep/sweep.h"
 #include "engine/study/variants/run_variants.h"
 #include "tests/engine/study/sweep/tiny_sweep.h"
@@ -79,6 +80,46 @@ inline EconomyStudy made_economy_study() {
   need.economy.chosen = 0;
   study.needs = {need};
   study.scenes = {{1, {"scene.size=[320,180]"}, "rk4", 0.5, true, 0.1, 0.05, 0.01, 0.001, 0.1, ""}};
+  study.provenance = {{"program", "test"}};
+  return study;
+}
+
+/// Four criteria of made_run.h's case: the first notices numbers and blunders, the second a run that fails
+/// and a finer mesh alone, the third is not met, and the fourth notices no more than a factor of 4.
+inline SensitivityStudy made_sensitivity() {
+  SensitivityStudy study;
+  study.loaded = run_with("made").loaded;
+  Sensitivity& found = study.result;
+  found.largest = 100;
+  found.time_limit = 10;
+  found.criteria = {{"known: tip.y", "m", 0.035, 0.01, true},
+                    {"known: tip.x", "m", 0.5, 0.01, true},
+                    {"known: tip.z", "m", 0.02, 0.03, false},
+                    {"known: <mid.y>", "m", 0.2, 0.03, true}};
+  const NoticedChange none;
+  found.numbers = {{"cable.density",
+                    "density",
+                    {12, 99, "", {{0.0625, false}, {0.5, true}, none, {3, false}}},
+                    {14, 99, "", {{0.25, false}, none, none, none}}},
+                   {"cable.bending_stiffness",
+                    "bending stiffness",
+                    {10, 9, "the run would take more than 10 s", {none, none, none, none}},
+                    {10, 99, "", {{0.5, false}, none, none, none}}},
+                   {"loads.gravity.1",
+                    "gravity along y",
+                    {10, 99, "", {none, none, none, none}},
+                    {10, 99, "", {none, none, none, none}}}};
+  const auto completed = [](bool first, bool second) {
+    return Trial{Outcome::completed, "", {{0.1, first}, {0.1, second}, {-1, false}, {0.1, false}}};
+  };
+  found.blunders = {
+      {{Blunder::chain, "a chain of springs", {"cable.model=chain"}, ""}, completed(true, false)},
+      {{Blunder::double_mesh, "twice the mesh", {"cable.elements=2"}, ""}, completed(false, true)},
+      {{Blunder::half_mesh, "half the mesh", {}, "the mesh has one element"}, {}},
+      {{Blunder::density_unit, "a density of a thousandth", {"cable.density=1"}, ""},
+       {Outcome::unstable, "it grew", {}}}};
+  found.runs = 60;
+  found.seconds = 0.5;
   study.provenance = {{"program", "test"}};
   return study;
 }
