@@ -461,7 +461,8 @@ TEST(Results, WhatTheCaseIsCalledBreaksNoFileOfTheReport) {
     EXPECT_EQ(xml.find("<script"), std::string::npos);
     EXPECT_EQ(std::count(xml.begin(), xml.end(), '<'), std::count(xml.begin(), xml.end(), '>'));
   }
-  for (const std::string& text : {to_summary(document), index_summary(index_of({indexed(nasty, document)}, {}))}) {
+  for (const std::string& text :
+       {to_summary(document), index_summary(index_of({indexed(nasty, document)}, {}))}) {
     points_of(text);
     EXPECT_EQ(text.find("<script"), std::string::npos) << text;
     EXPECT_EQ(text.find("http://"), std::string::npos) << text;
