@@ -92,11 +92,24 @@ std::string headline_of(const Sensitivity& found) {
 }  // namespace
 
 std::vector<JudgedCriterion> judged_criteria(const Run& run) {
+  const Results results = evaluate(run, {});
+  const Case& spec = run.loaded.spec;
   std::vector<JudgedCriterion> criteria;
-  for (const Verdict& verdict : evaluate(run, {}).verdicts)
-    if (!is_of_other_run(verdict.name, run.loaded.spec))
-      criteria.push_back({verdict.name, verdict.unit, verdict.limit, verdict.value,
-                          verdict.status == VerdictStatus::passed});
+  for (std::size_t k = 0; k < results.verdicts.size(); ++k) {
+    const Verdict& verdict = results.verdicts[k];
+    if (is_of_other_run(verdict.name, spec)) continue;
+    JudgedCriterion& criterion = criteria.emplace_back(JudgedCriterion{
+        verdict.name, verdict.unit, verdict.limit, verdict.value, verdict.status == VerdictStatus::passed});
+    if (verdict.status != VerdictStatus::not_run || k >= results.errors.size()) continue;
+    // A limit that is too wide beside the cable is not judged; whether the run is within it is told all the
+    // same, as a cable that was made shorter must not fail for that.
+    const SeriesError& error = results.errors[k];
+    const Reference& reference = run.loaded.references[error.reference];
+    if (!results.solved() || !error.coverage.enough() || !difference(reference.cable, spec.cable).empty())
+      continue;
+    criterion.value = spec.references[error.reference].norm == Norm::max ? error.max : error.rms;
+    criterion.met = within(criterion.value, criterion.limit);
+  }
   return criteria;
 }
 

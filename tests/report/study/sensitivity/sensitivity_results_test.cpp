@@ -116,5 +116,15 @@ TEST(JudgedCriteria, AreThoseOnTheRunItself) {
   EXPECT_TRUE(judged[0].met);
 }
 
+TEST(JudgedCriteria, OfALimitThatIsTooWideToBeJudgedSayWhatIsWithinIt) {
+  auto run = run_with("made");
+  run.loaded.spec.references[0].tolerance = 50;
+  ASSERT_EQ(evaluate(run, {}).verdicts[0].status, VerdictStatus::not_run);
+  EXPECT_TRUE(judged_criteria(run).at(0).met);
+  EXPECT_NEAR(judged_criteria(run).at(0).value, 0.1, 1e-12);
+  run.loaded.references[0].cable.length = 3;
+  EXPECT_FALSE(judged_criteria(run).at(0).met) << "it is of another cable";
+}
+
 }  // namespace sensitivity_results_test
 }  // namespace plumb
