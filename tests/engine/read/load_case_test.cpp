@@ -48,8 +48,8 @@ TEST(LoadCase, ThePendulumIsReadAsTheReportStatesIt) {
   ASSERT_EQ(spec.references.size(), 2U);
   EXPECT_EQ(spec.references[0].compare,
             (std::vector<Comparison>{{"mid_y", "mid.y"}, {"tip_x", "tip.x"}, {"tip_z", "tip.z"}}));
-  EXPECT_EQ(spec.references[0].tolerance, 0.035);
-  EXPECT_EQ(spec.references[1].tolerance, 0.021);
+  EXPECT_EQ(spec.references[0].tolerance, 0.01);
+  EXPECT_EQ(spec.references[1].tolerance, 0.016);
   ASSERT_EQ(spec.figures.size(), 2U);
   EXPECT_EQ(spec.figures[0].y, "mid.y");
   EXPECT_TRUE(spec.figures[1].equal_axes);
