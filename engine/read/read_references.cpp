@@ -24,9 +24,8 @@ std::vector<Comparison> read_comparisons(TableReader table, const ProbeColumns& 
       table.refuse_value(item.key,
                          "not a column of the probes" + suggestion(quantity.column, columns.names()));
     if (quantity.is_aggregate() && own != Abscissa::time)
-      table.refuse_value(item.key,
-                         fmt::format("is read off a motion over time; a run with this method has {}",
-                                     own == Abscissa::mode ? "modes" : "loads"));
+      table.refuse_value(
+          item.key, fmt::format("is read off a motion over time; a run with this method has {}s", word(own)));
     if (const auto [other, is_new] = series_of.emplace(comparison.column, comparison.series); !is_new)
       table.refuse_value(item.key, fmt::format("the column is compared with {} already", other->second));
     comparisons.push_back(comparison);

@@ -122,7 +122,8 @@ TEST_F(SceneOfRuns, PointsOfTwoComponentsAreShownWhereTheThirdCannotBeSeen) {
   const Image without = picture({"--camera", "top"}), with = picture({"--camera", "top", "--points"});
   // The first other colour is that of the published points.
   EXPECT_EQ(count_of(without, second_color), 0);
-  EXPECT_GT(count_of(with, second_color), 20);
+  // Those of the converged solution lie over most of them.
+  EXPECT_GT(count_of(with, second_color), 10);
   for (const char* camera : {"front", "fit", "orbit"}) {
     const Ended ended = render({"--points", "--camera", camera});
     EXPECT_EQ(ended.status, 2) << camera;
