@@ -98,6 +98,10 @@ std::vector<JudgedCriterion> judged_criteria(const Run& run) {
   for (std::size_t k = 0; k < results.verdicts.size(); ++k) {
     const Verdict& verdict = results.verdicts[k];
     if (is_of_other_run(verdict.name, spec)) continue;
+    // Figures of another model are not judged.
+    if (k < results.errors.size() && !results.errors[k].exact &&
+        run.loaded.references[results.errors[k].reference].model)
+      continue;
     JudgedCriterion& criterion = criteria.emplace_back(JudgedCriterion{
         verdict.name, verdict.unit, verdict.limit, verdict.value, verdict.status == VerdictStatus::passed});
     if (verdict.status != VerdictStatus::not_run || k >= results.errors.size()) continue;

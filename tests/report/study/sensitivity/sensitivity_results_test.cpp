@@ -45,6 +45,25 @@ TEST(SensitivityReport, CallsWeakWhatOnlyAFailureOrAFinerMeshOrMoreThanAFactorOf
   EXPECT_EQ(weak_in_words(strong), "") << "half of a number is within a factor of two";
 }
 
+TEST(SensitivityReport, DoesNotAskFiguresOfAnotherModel) {
+  const std::string other = R"([model]
+differences = ["a point mass"]
+)",
+                    exact = R"([exact]
+obtained = "by hand"
+uncertainty = 1e-12
+uncertainty_basis = "closed form"
+rows = [[0, 0], [0.5, -0.25], [1, -1.0]]
+)";
+  EXPECT_TRUE(judged_criteria(run_with("made", "", other)).empty());
+  const std::vector<JudgedCriterion> judged = judged_criteria(run_with("made", "", other + exact));
+  ASSERT_EQ(judged.size(), 1U);
+  EXPECT_EQ(judged[0].name, "known: exact: tip.y");
+  plumb::Run failed = run_with("made", "", other + exact);
+  failed.trajectory.outcome = Outcome::diverged;
+  EXPECT_EQ(judged_criteria(failed).size(), 1U) << "in the same order, however a changed run ends";
+}
+
 TEST(SensitivityReport, HasAVerdictOnEachCriterion) {
   const SensitivityStudy study = made_sensitivity();
   const StudyReport report = evaluate_sensitivity(study, {});
