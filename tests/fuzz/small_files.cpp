@@ -34,6 +34,17 @@ std::string without_comments(const std::string& text) {
   return result;
 }
 
+/// With three rows where there are many, as the pendulum's take the longest of all to read.
+std::string reference_text(const fs::path& path) {
+  constexpr std::size_t many_bytes = 4000;
+  std::string text = without_comments(read_whole_file(path.string()));
+  const std::size_t rows = text.find("rows = [\n");
+  if (text.size() < many_bytes || rows == text.npos) return text;
+  std::size_t kept = rows;
+  for (int line = 0; line < 4; ++line) kept = text.find('\n', kept) + 1;
+  return text.erase(kept, text.find("\n]", kept) + 1 - kept);
+}
+
 }  // namespace
 
 const CaseSource& small_source() {
@@ -43,15 +54,10 @@ const CaseSource& small_source() {
                     {},
                     {{"small_reference.toml", read_whole_file(data + "/small_reference.toml")}},
                     {{"run.csv", "t [s],tip.x [mm],tip.y [m]\n0,1,0\n0.5,1,-0.25\n1,1e3,-1\n"}}};
-    const std::string folder = PLUMB_SOURCE_DIR "/cases/references/";
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const std::string name = entry.path().filename().string();
-      // The pendulum's published one takes the longest of all to read.
-      const bool is_long = name == "pendulum_published.toml";
-      const std::string path = folder + (is_long ? "pendulum_converged.toml" : name);
-      if (path.ends_with(".toml"))
-        made.references.push_back({"references/" + name, without_comments(read_whole_file(path))});
-    }
+    for (const std::string folder : {"/cases/references", "/cases/shelf/references"})
+      for (const auto& entry : fs::directory_iterator(PLUMB_SOURCE_DIR + folder))
+        if (const fs::path& path = entry.path(); path.extension() == ".toml")
+          made.references.push_back({"references/" + path.filename().string(), reference_text(path)});
     return made;
   }();
   return source;

@@ -44,6 +44,13 @@ void expect_refused(const std::vector<Fault>& faults) {
 
 const std::string good = "t,tip.y\n0,0\n1,-1\n";
 
+TEST(GivenRunFaults, OfARigidRodNeedsNoMethod) {
+  CaseSource source =
+      given_case("t,tip.x,tip.y,tip.z\n0,1,0,0\n0.5,1,0,0\n1,1,0,0\n", "columns = { strain = \"\" }");
+  source.overrides = {"cable.model=rigid", "probe.1.quantity=position", "supports.first=pinned"};
+  EXPECT_EQ(refusal(source).find("method"), std::string::npos) << refusal(source);
+}
+
 TEST(GivenRunFaults, AMissingColumnIsRefusedWithTheNearestNameAndWhatIsThere) {
   expect_refused({
       {"t,tip_y\n0,0\n", "",
