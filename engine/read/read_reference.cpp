@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "engine/base/nearest.h"
 #include "engine/case/case_source.h"
@@ -143,6 +144,22 @@ void read_exact(TableReader table, const std::vector<ReferenceSeries*>& order, R
   reference.exact = std::move(exact);
 }
 
+/// Refuses what cannot be the key of an uncertain input, which the case has.
+void check_inputs(const TableReader& table, const std::vector<std::string>& inputs) {
+  constexpr std::array tables = {"parameters.", "cable.", "start.", "loads.", "damping."};
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const std::string& input = inputs[k];
+    const bool is_key = std::any_of(tables.begin(), tables.end(), [&](const char* name) {
+      return input.starts_with(name) && input.size() > std::strlen(name);
+    });
+    if (!is_key || std::find(inputs.begin(), inputs.begin() + static_cast<std::ptrdiff_t>(k), input) !=
+                       inputs.begin() + static_cast<std::ptrdiff_t>(k))
+      table.refuse_value(
+          "inputs",
+          fmt::format("must name each input once, by its key in [[uncertainty.input]]: \"{}\"", input));
+  }
+}
+
 SharedErrors read_shared_errors(TableReader table) {
   SharedErrors shares;
   constexpr int most_elements = 1'000'000, none = 0;
@@ -151,8 +168,10 @@ SharedErrors read_shared_errors(TableReader table) {
   shares.strain = table.choice<StrainModel>("strain", shares.strain);
   shares.quadrature = table.choice<QuadratureRule>("quadrature", shares.quadrature);
   shares.inputs = table.proses("inputs");
+  const bool has_inputs = table.has("inputs");
   shares.model = table.optional_prose("model");
   table.finish();
+  if (has_inputs) check_inputs(table, shares.inputs);
   if (!shares.elements)
     for (const char* key : {"strain", "quadrature"})
       if (table.has(key)) table.refuse_value(key, "is of a mesh, whose number of elements is missing");
@@ -171,8 +190,16 @@ void read_other_model(TableReader table, const std::vector<ReferenceSeries*>& or
     by_series.finish();
     model.error_basis = table.prose("error_basis", "what the size of the model error rests on");
   }
+  const bool has_basis = table.has("error_basis");
   table.finish();
-  if (model.differences.empty()) table.refuse_value("differences", "must hold at least one text");
+  if (has_basis && model.error_basis.empty())
+    table.refuse_value("error_basis", "is asked for with error alone");
+  if (!model.error_basis.empty() &&
+      std::none_of(order.begin(), order.end(),
+                   [](const ReferenceSeries* series) { return series->model_error.has_value(); }))
+    table.refuse_value("error", "must have the error of one series or more, { tip = 5e-6 }");
+  if (model.differences.empty() || std::count(model.differences.begin(), model.differences.end(), "") > 0)
+    table.refuse_value("differences", "must hold at least one text, and none that is empty");
   reference.model = std::move(model);
 }
 

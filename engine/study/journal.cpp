@@ -74,7 +74,7 @@ void Journal::go_on() {
   struct stat status {};
   if (::fstat(file_, &status) != 0) fail(std::strerror(errno));
   if (!S_ISREG(status.st_mode)) fail("it is no file");
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) fail("another study is at work on it");
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) fail("another plumb is at work on it");
   const std::string text = read(status.st_size);
   const std::string first = heading(identity_);
   if (!is_ours(text, first)) fail("it is there and is no journal of a study");

@@ -1,5 +1,6 @@
 #include "report/document/history.h"
 
+#include <fmt/format.h>
 #include <sys/utsname.h>
 
 #include <filesystem>
@@ -28,6 +29,13 @@ Document entry_of(const std::string& name, const Document& overrides, const Docu
           {"processor", known("processor")},
           {"case", name},
           {"overrides", overrides}};
+}
+
+/// -1 where there is none.
+long version_of(const Document& entry) {
+  const bool has_one =
+      entry.is_object() && entry.contains("plumb_history") && entry["plumb_history"].is_number_integer();
+  return has_one ? entry["plumb_history"].get<long>() : -1;
 }
 
 /// Throws where a line has not all that is read of one.
@@ -94,6 +102,9 @@ History history_in(const std::string& text) {
     if (line.empty()) continue;
     try {
       Document entry = parse_json<Document>(line, "line");
+      if (const long version = version_of(entry); version > history_version)
+        history.newer =
+            fmt::format("line {} is of version {}, this program knows {}", number, version, history_version);
       check_entry(entry);
       history.entries.push_back(std::move(entry));
     } catch (const Interrupted&) {

@@ -31,6 +31,7 @@ inline constexpr std::string_view begin_of_history = R"({"plumb_history":)";
 struct History {
   std::vector<Document> entries;
   std::vector<std::size_t> damaged;  ///< numbers of lines, from 1, that hold no entry: passed over
+  std::string newer = {};  ///< why a later version of this program is needed to add to it; empty: it is not
 };
 History history_in(const std::string& text);
 

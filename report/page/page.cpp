@@ -92,6 +92,10 @@ std::string to_page(const Document& document, const Pictures& pictures,
   page["dynamic"] = dynamic;
   page["modal"] = modal;
   page["static"] = !dynamic && !modal;
+  page["stability"] =
+      std::none_of(the_case.at("load").begin(), the_case.at("load").end(), [](const Document& load) {
+        return load.at("follows").get<bool>() || load.at("kind") == word(LoadKind::moment);
+      });
   page["title"] = text("title");
   const Conclusion conclusion = conclusion_of(document, clause);
   page["good"] = conclusion.good;

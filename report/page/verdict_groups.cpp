@@ -21,7 +21,7 @@ const std::array<KindText, 4> kind_texts{
     KindText{
         VerdictKind::verification, "Verification",
         "Held against an exact or a converged solution: are the equations solved right? It tells nothing of "
-        "the real pendulum."},
+        "the real thing."},
     KindText{
         VerdictKind::regression, "Regression",
         "Held against Plumb's own earlier output: has anything moved? An error that stays the same passes."},

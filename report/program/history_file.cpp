@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <filesystem>
 #include <system_error>
 #include <thread>
 
@@ -79,10 +80,28 @@ History read_history(const std::string& path) {
   const off_t length = length_of_history(file.get(), path), from = std::max<off_t>(0, length - longest_read);
   std::string text = read_part(file.get(), from, length, path);
   if (from > 0) text.erase(0, text.find('\n') + 1);
-  return history_in(text);
+  History history = history_in(text);
+  if (!history.newer.empty()) throw InputError(path + ": " + history.newer);
+  return history;
 }
 
+namespace {
+
+/// Throws WriteError where no line can be added later: it is known before all the work.
+void check_can_be_written(const std::string& path) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK));
+  if (file) return;
+  if (errno != ENOENT) throw WriteError(path, errno);
+  struct stat there {};
+  if (::lstat(path.c_str(), &there) == 0) throw WriteError(path, "it is a link to nothing");
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) throw WriteError(path, errno);
+}
+
+}  // namespace
+
 void check_history(const std::string& path, Console& console) {
+  check_can_be_written(path);
   const History history = read_history(path);
   if (history.damaged.empty()) return;
   const bool one = history.damaged.size() == 1;

@@ -22,6 +22,10 @@ KeptPoints::KeptPoints(const std::string& folder, const CaseSource& source, Cons
                     counted(static_cast<long>(journal_.damaged()), "damaged line", "damaged lines")));
 }
 
+KeptPoints::~KeptPoints() {
+  if (journal_.empty()) journal_.remove();
+}
+
 void KeptPoints::take_over_from_run(const std::string& folder) {
   const std::filesystem::path file = std::filesystem::path(folder) / points_file_name;
   std::error_code ignored;

@@ -15,6 +15,11 @@ class KeptPoints {
   /// Says what it goes on with. Throws OutputError where it cannot be kept.
   KeptPoints(const std::string& folder, const CaseSource& source, Console& console);
 
+  /// A file without a point is worth nothing to anyone.
+  ~KeptPoints();
+  KeptPoints(const KeptPoints&) = delete;
+  KeptPoints& operator=(const KeptPoints&) = delete;
+
   /// Takes over what `plumb run` has computed of the same case into its output folder.
   void take_over_from_run(const std::string& folder);
 

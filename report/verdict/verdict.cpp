@@ -48,6 +48,17 @@ std::string place_of(double time, const Coverage& coverage) {
                      coverage.of_modes ? "" : " s");
 }
 
+/// Takes back that a distance passed to figures that are known no better than not at all.
+void hold_to_uncertainty(Verdict& verdict, double half_width, const Magnitude& scale) {
+  const double greatest = std::max(scale.size, scale.reach);
+  if (verdict.status != VerdictStatus::passed || !(greatest > 0) || half_width < greatest) return;
+  verdict.status = VerdictStatus::not_run;
+  verdict.value = -1;
+  verdict.detail = fmt::format(
+      "the uncertainty of the reference, {:.3g} {}, is no less than all that it ever is, {:.3g} {}",
+      half_width, verdict.unit, greatest, verdict.unit);
+}
+
 /// What was found of the printed figures: "the print is up to 0.03 m (3.3 %) off the exact figures, at 1 s".
 std::string print_in_words(const SeriesError& error) {
   const PrintError& print = *error.print;
@@ -111,6 +122,8 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
       verdict.detail = fmt::format("the greatest {}; {}", place_of(error.max_time, error.coverage),
                                    in_words(error.coverage, error.unit));
       hold_to_scale(verdict, error.scale, "the reference");
+      const ReferenceSeries& series = *reference.find(error.series);
+      hold_to_uncertainty(verdict, error.exact ? series.exact_uncertainty : series.uncertainty, error.scale);
       if (error.print) verdict.detail += "; " + print_in_words(error);
       if (other_model) verdict.detail += "; " + model_in_words(error, reference);
     }

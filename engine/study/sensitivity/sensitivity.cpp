@@ -20,8 +20,15 @@ long Sensitivity::noticed_blunders(std::size_t criterion) const {
   });
 }
 
+bool Sensitivity::told() const {
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [](const NumberSensitivity& any) { return any.told(); }) ||
+         std::any_of(blunders.begin(), blunders.end(),
+                     [](const BlunderSensitivity& any) { return any.applies() && !any.trial.untold(); });
+}
+
 bool Sensitivity::weak(std::size_t criterion) const {
-  return criteria[criterion].met && noticed_numbers(criterion) + noticed_blunders(criterion) == 0;
+  return criteria[criterion].met && told() && noticed_numbers(criterion) + noticed_blunders(criterion) == 0;
 }
 
 std::vector<std::string> Sensitivity::weak_names() const {

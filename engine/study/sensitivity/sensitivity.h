@@ -24,6 +24,9 @@ struct NumberSensitivity {
   std::string key;    ///< "cable.density"
   std::string words;  ///< "density"
   SearchedSide up, down;
+
+  /// False where no changed run ended in the time that it had.
+  bool told() const { return up.searched > 0 || down.searched > 0; }
 };
 
 /// A blunder, with what the criteria make of it.
@@ -49,7 +52,9 @@ struct Sensitivity {
   /// That a run fails and that a finer mesh is seen says nothing for it.
   long noticed_numbers(std::size_t criterion) const;
   long noticed_blunders(std::size_t criterion) const;
-  /// A criterion that is met and notices none of either.
+  /// False where no changed run ended in the time that it had, so that nothing is known.
+  bool told() const;
+  /// A criterion that is met and notices none of either, where something could be told.
   bool weak(std::size_t criterion) const;
   std::vector<std::string> weak_names() const;
 };

@@ -62,7 +62,7 @@ Verdict verdict_of(const Sensitivity& found, std::size_t k) {
   verdict.unit = "1";
   verdict.limit = 0;
   verdict.reason = "A criterion that lets every mistake pass says nothing where it is met.";
-  if (!judged.met) {
+  if (!judged.met || !found.told()) {
     verdict.detail = verdict.message = noticed_in_words(found, k);
     return verdict;
   }
@@ -70,6 +70,11 @@ Verdict verdict_of(const Sensitivity& found, std::size_t k) {
       fmt::format("it notices {} within a factor of two, and {}",
                   counted(found.noticed_numbers(k), "number of the model", "numbers of the model"),
                   counted(found.noticed_blunders(k), "blunder", "blunders"));
+  if (const auto failing =
+          std::count_if(found.blunders.begin(), found.blunders.end(),
+                        [](const BlunderSensitivity& of) { return of.applies() && of.trial.failed(); });
+      failing > 0)
+    verdict.detail = verdict.message += fmt::format("; {} more would end the run", failing);
   verdict.value = found.weak(k) ? 1 : 0;
   verdict.status = found.weak(k) ? VerdictStatus::failed : VerdictStatus::passed;
   return verdict;
@@ -86,7 +91,9 @@ std::string headline_of(const Sensitivity& found) {
                      asked == 1 ? "it notices" : "they notice",
                      counted(std::ssize(found.numbers), "number of the model", "numbers of the model"),
                      counted(applied, "blunder", "blunders"),
-                     weak.empty() ? "Each notices something." : weak);
+                     !found.told()  ? "Nothing was found out: no changed run ended in its time."
+                     : weak.empty() ? "Each notices something."
+                                    : weak);
 }
 
 }  // namespace
@@ -121,23 +128,27 @@ std::string noticed_in_words(const Sensitivity& found, std::size_t k) {
   const JudgedCriterion& criterion = found.criteria[k];
   const std::string subject = fmt::format("{:.3g} {} on {}", criterion.limit, criterion.unit, criterion.name);
   if (!criterion.met) return subject + " is not met by the case itself: what it notices cannot be told";
-  std::vector<std::string> changes, nothing_of, noticed, missed;
+  std::vector<std::string> changes, nothing_of, untold, noticed, missed;
   std::multimap<double, std::string> by_change;
   for (const NumberSensitivity& number : found.numbers) {
     const LeastChange of = least_of(number, k);
-    if (of.least.change < 0)
+    if (!number.told())
+      untold.push_back(number.words);
+    else if (of.least.change < 0)
       nothing_of.push_back(number.words);
     else
       by_change.emplace(of.share(), in_words(of, number.words));
   }
   for (auto& [change, text] : by_change) changes.push_back(std::move(text));
   for (const BlunderSensitivity& of : found.blunders)
-    if (of.applies() && !of.trial.untold())
-      (of.trial.notices(k) ? noticed : missed).push_back(of.blunder.name);
+    if (of.applies())
+      (of.trial.untold() ? untold : of.trial.notices(k) ? noticed : missed).push_back(of.blunder.name);
   if (!nothing_of.empty()) changes.push_back("nothing of " + listed(nothing_of));
   std::string text = subject + " notices " + (changes.empty() ? "no number" : listed(changes));
   if (!noticed.empty()) text += "; of the blunders " + listed(noticed);
   if (!missed.empty()) text += (noticed.empty() ? "; not " : ", but not ") + listed(missed);
+  if (!untold.empty())
+    text += fmt::format("; not found out within {:g} s a run: {}", found.time_limit, listed(untold));
   return text;
 }
 

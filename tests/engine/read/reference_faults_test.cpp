@@ -205,6 +205,13 @@ TEST(ReferenceFaults, BadSharedErrorsAreRefusedWithTheirPlaceAndWhatIsAllowed) {
       {last, table + "inputs = \"cable.density\"",
        "small_reference.toml:27:10: shares.inputs = \"cable.density\": must be a list of strings, found a "
        "string"},
+      {last, table + "inputs = [\"density\"]",
+       "small_reference.toml:27:10: shares.inputs = [\"density\"]: must name each input once, by its key in "
+       "[[uncertainty.input]]: \"density\""},
+      {last, table + "inputs = [\"cable.density\", \"cable.density\"]",
+       "small_reference.toml:27:10: shares.inputs = [\"cable.density\", \"cable.density\"]: must name each "
+       "input once, by "
+       "its key in [[uncertainty.input]]: \"cable.density\""},
       {last, table + "mesh = 4",
        "small_reference.toml:27:1: shares.mesh = 4: unknown key; known: elements, strain, quadrature, "
        "inputs, model"},
@@ -219,7 +226,15 @@ TEST(ReferenceFaults, ABadModelIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "the model "
        "behind the figures"},
       {last, table + "differences = []",
-       "small_reference.toml:27:15: model.differences = []: must hold at least one text"},
+       "small_reference.toml:27:15: model.differences = []: must hold at least one text, and none that is "
+       "empty"},
+      {last, table + "differences = [\"shear\", \"\"]",
+       "small_reference.toml:27:15: model.differences = [\"shear\", \"\"]: must hold at least one text, and "
+       "none that is "
+       "empty"},
+      {last, table + "differences = [\"shear\"]\nerror = {}\nerror_basis = \"stated\"",
+       "small_reference.toml:28:9: model.error: must have the error of one series or more, { tip = 5e-6 "
+       "}"},
       {last, table + "differences = [\"shear\"]\nerror = { mid_y = -1 }\nerror_basis = \"stated\"",
        "small_reference.toml:28:19: model.error.mid_y = -1: must be a number greater than 0 (m)"},
       {last, table + "differences = [\"shear\"]\nerror = { mid_y = 1 }",
@@ -227,7 +242,7 @@ TEST(ReferenceFaults, ABadModelIsRefusedWithItsPlaceAndWhatIsAllowed) {
        "rests "
        "on"},
       {last, table + "differences = [\"shear\"]\nerror_basis = \"stated\"",
-       "small_reference.toml:28:1: model.error_basis = \"stated\": unknown key; known: differences, error"},
+       "small_reference.toml:28:15: model.error_basis = \"stated\": is asked for with error alone"},
   });
 }
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/base/errors.h"
+#include "engine/base/file_writing.h"
 #include "tests/report/program/program.h"
 
 namespace plumb {
@@ -38,6 +39,32 @@ TEST(HistoryFile, OfManyWritersAtOnceHasEveryLineWhole) {
   std::set<int> numbers;
   for (const Document& one : history.entries) numbers.insert(one.at("steps").get<int>());
   EXPECT_EQ(numbers.size(), std::size_t{writers * lines});
+}
+
+TEST(HistoryFile, OfALaterVersionIsRefusedAndStaysAsItIs) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "h.jsonl",
+                    text = history_line(entry(1)) + "{\"plumb_history\":9,\"x\":1}\n";
+  write_text(path, text);
+  try {
+    read_history(path);
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("line 2 is of version 9, this program knows 1"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(read_text(path), text);
+}
+
+TEST(HistoryFile, ThatCannotBeWrittenIsToldOfBeforeTheWork) {
+  const TemporaryFolder folder;
+  Console console(true, true);
+  fs::create_symlink(folder.path() / "nowhere" / "h.jsonl", folder.path() / "link.jsonl");
+  EXPECT_THROW(check_history(folder / "link.jsonl", console), WriteError);
+  EXPECT_THROW(check_history(folder / "none/h.jsonl", console), WriteError);
+  check_history(folder / "h.jsonl", console);
+  EXPECT_FALSE(fs::exists(folder / "h.jsonl")) << "to look does not make it";
 }
 
 TEST(HistoryFile, TakesNoRunTwice) {

@@ -64,6 +64,19 @@ TEST(ExactFigures, AreInTheDocumentWithWhatThePrintIsOffBy) {
   EXPECT_EQ(document["references"][0]["exact"], "by hand: y = -t^2");
 }
 
+TEST(Uncertainty, ThatIsNoLessThanTheFiguresThemselvesPassesNothing) {
+  plumb::Run run = run_with("a", "", exact);
+  ReferenceSeries& series = run.loaded.references[0].series[0];
+  for (const double half_width : {0.5, 0.9, 1e308}) {
+    series.uncertainty = series.exact_uncertainty = half_width;
+    for (const Verdict& verdict : evaluate(run, {}).verdicts) {
+      constexpr double greatest = 0.9;  // printed
+      EXPECT_EQ(verdict.status, half_width < greatest ? VerdictStatus::passed : VerdictStatus::not_run)
+          << verdict.name << ", " << half_width << ": " << verdict.message;
+    }
+  }
+}
+
 TEST(OtherModel, IsShownAndNeitherPassesNorFails) {
   plumb::Run run = run_with("a", "", other_model);
   run.loaded.spec.references[0].tolerance = 1e-6;

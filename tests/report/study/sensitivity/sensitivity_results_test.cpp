@@ -45,6 +45,23 @@ TEST(SensitivityReport, CallsWeakWhatOnlyAFailureOrAFinerMeshOrMoreThanAFactorOf
   EXPECT_EQ(weak_in_words(strong), "") << "half of a number is within a factor of two";
 }
 
+TEST(SensitivityReport, CallsNothingWeakWhereNoChangedRunEndedInItsTime) {
+  SensitivityStudy study = made_sensitivity();
+  Sensitivity& found = study.result;
+  for (NumberSensitivity& number : found.numbers)
+    for (SearchedSide* side : {&number.up, &number.down}) {
+      side->searched = 0;
+      side->noticed.assign(side->noticed.size(), {});
+    }
+  for (BlunderSensitivity& of : found.blunders) of.trial = {Outcome::out_of_time, "", {}};
+  EXPECT_TRUE(found.weak_names().empty());
+  expect_in(noticed_in_words(found, 0), {"notices no number", "not found out within 10 s a run: density"});
+  const StudyReport report = evaluate_sensitivity(study, {});
+  expect_in(report.headline, {"Nothing was found out: no changed run ended in its time."});
+  for (const Verdict& verdict : report.verdicts)
+    EXPECT_EQ(verdict.status, VerdictStatus::not_run) << verdict.name;
+}
+
 TEST(SensitivityReport, DoesNotAskFiguresOfAnotherModel) {
   const std::string other = R"([model]
 differences = ["a point mass"]
@@ -71,8 +88,9 @@ TEST(SensitivityReport, HasAVerdictOnEachCriterion) {
   for (const Verdict& verdict : report.verdicts) statuses.push_back(verdict.status);
   EXPECT_EQ(statuses, (std::vector{VerdictStatus::passed, VerdictStatus::failed, VerdictStatus::not_run,
                                    VerdictStatus::failed}));
-  EXPECT_EQ(report.verdicts[0].message,
-            "it notices 2 numbers of the model within a factor of two, and 1 blunder")
+  EXPECT_EQ(
+      report.verdicts[0].message,
+      "it notices 2 numbers of the model within a factor of two, and 1 blunder; 1 more would end the run")
       << "neither the run that fails nor the finer mesh";
   expect_in(report.headline,
             {"3 criteria were asked what they notice of 3 numbers of the model and 3 blunders",
