@@ -41,7 +41,8 @@ class Planning {
         return one(kind, "twice the mesh", {fmt::format("cable.elements={}", 2 * cable_.elements)},
                    has_mesh());
       case Blunder::lumped_mass:
-        return one(kind, "mass lumped on the nodes", {}, only_of_cables());
+        return one(kind, "mass lumped on the nodes", {},
+                   only_of_cables().empty() ? why_no_mass() : only_of_cables());
       case Blunder::zero_slope_rates:
         return one(kind, "slope rates of zero", {"start.slope_rates=zero"}, why_no_slope_rates());
       case Blunder::first_order:
@@ -49,6 +50,7 @@ class Planning {
       case Blunder::rounded_gravity:
         return gravity();
       case Blunder::density_unit:
+        if (!why_no_mass().empty()) return one(kind, "a density by a factor of 1000", {}, why_no_mass());
         return {{kind, "a density 1000 times as large", scaled(spec_, "cable.density", 1000)},
                 {kind, "a density of a thousandth", scaled(spec_, "cable.density", 1e-3)}};
       case Blunder::other_sign:
@@ -77,6 +79,11 @@ class Planning {
   std::string no_motion() const {
     return method_ != nullptr && !method_->dynamic ? fmt::format("{} integrates no motion", method_->name)
                                                    : "";
+  }
+
+  std::string why_no_mass() const {
+    const bool rests = method_ != nullptr && !method_->dynamic && !method_->timeless;
+    return rests && spec_.loads.gravity.isZero(0) ? "nothing moves, and nothing has weight" : "";
   }
 
   std::string why_no_slope_rates() const {

@@ -121,6 +121,21 @@ TEST(PlannedBlunders, OfACaseThatCannotMakeThemSayWhy) {
   EXPECT_EQ(planned_blunders(spec, {Blunder::rounded_gravity}).at(0).why_not, "gravity is 1.62 m/s²");
 }
 
+TEST(PlannedBlunders, OfMassesAreNoneWhereNothingMovesOrHasWeight) {
+  Case spec = tiny_sensitivity_case().spec;
+  spec.method.name = "statics";
+  for (const Blunder kind : {Blunder::lumped_mass, Blunder::density_unit}) {
+    EXPECT_EQ(planned_blunders(spec, {kind}).at(0).why_not, "") << "it has weight";
+    Case weightless = spec;
+    weightless.loads.gravity.setZero();
+    const std::vector<PlannedBlunder> planned = planned_blunders(weightless, {kind});
+    ASSERT_EQ(planned.size(), 1U);
+    EXPECT_EQ(planned[0].why_not, "nothing moves, and nothing has weight");
+    weightless.method.name = "modes";
+    EXPECT_EQ(planned_blunders(weightless, {kind}).at(0).why_not, "") << "it vibrates";
+  }
+}
+
 TEST(LumpedMass, OfACableStaysOnTheNodesAndIsAsMuchInAll) {
   Case spec = pendulum(5, 3);
   spec.supports.first = Support::free;
