@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -12,6 +13,11 @@ using Document = nlohmann::ordered_json;
 template <typename Json>
 std::string text_of(const Json& object, const char* key) {
   return object.at(key).template get<std::string>();
+}
+
+/// A number, which is not a number where null stands for one that is not finite.
+inline double number_of(const Document& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// A number of a table, "1.234e-05"; "not finite" where it is none.

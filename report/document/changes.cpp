@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "report/base/document_value.h"
+
 namespace plumb {
 namespace {
 
@@ -105,10 +107,6 @@ void compare_verdicts(Document& changes, const Document& before, const Document&
   }
 }
 
-double number(const Document& value) {
-  return value.is_number() ? value.get<double>() : nan;
-}
-
 ProbeMove move_of(const std::string& column, const Document& before, const Document& now) {
   ProbeMove move;
   move.column = column;
@@ -131,13 +129,13 @@ ProbeMove move_of(const std::string& column, const Document& before, const Docum
     move.unlike = "there is no output after the start, where every run is the same";
   if (!move.unlike.empty()) return move;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double a = number(old_values[i]), b = number(values[i]);
+    const double a = number_of(old_values[i]), b = number_of(values[i]);
     move.largest = std::max(move.largest, std::abs(a));
     const double distance = std::abs(b - a);
     // One that is not a number stays, and is a move wherever it stands.
     if (distance <= move.greatest || std::isnan(move.greatest)) continue;
     move.greatest = distance;
-    move.time = number(times[i]);
+    move.time = number_of(times[i]);
   }
   return move;
 }

@@ -13,6 +13,7 @@
 #include "engine/base/place.h"
 #include "render/image/apng.h"
 #include "render/image/png_file.h"
+#include "report/base/document_value.h"
 #include "report/document/document.h"
 
 namespace plumb {
@@ -136,8 +137,7 @@ std::vector<Verdict> verdicts_of(const Document& document) {
     verdict.name = text("name");
     verdict.criterion = text("criterion");
     // What is not finite has no number in JSON.
-    const Document& value = item.at("value");
-    verdict.value = value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+    verdict.value = number_of(item.at("value"));
     verdict.limit = item.at("limit").get<double>();
     verdict.unit = text("unit");
     verdict.detail = text("detail");

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "render/image/png_file.h"
+#include "report/base/document_value.h"
 #include "report/base/escape.h"
 #include "report/index/comparisons.h"
 #include "report/index/run_index.h"
@@ -46,20 +47,12 @@ std::string link_to(const std::string& path) {
   return link + "/index.html";
 }
 
-std::string text_in(const Document& object, const char* key) {
-  return object.at(key).get<std::string>();
-}
-
-double number_in(const Document& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
 /// What marks an element as one of a report.
 void set_report(data& row, const Document& report) {
-  row["folder"] = text_in(report, "folder");
-  row["link"] = link_to(text_in(report, "folder"));
-  row["state"] = text_in(report, "state");
-  row["class"] = class_of_status(text_in(report, "state"));
+  row["folder"] = text_of(report, "folder");
+  row["link"] = link_to(text_of(report, "folder"));
+  row["state"] = text_of(report, "state");
+  row["class"] = class_of_status(text_of(report, "state"));
 }
 
 /// The thumbnails of the reports by their folders, as far as a page has room for them.
@@ -90,13 +83,13 @@ class Thumbnails {
 data report_row(const Document& report, Thumbnails& thumbnails) {
   data row;
   set_report(row, report);
-  row["method"] = text_in(report, "method");
+  row["method"] = text_of(report, "method");
   for (const char* key : {"criteria", "failed", "not_run", "elements", "exit_status"})
     row[key] = std::to_string(report.at(key).get<long>());
-  row["short"] = text_in(report, "outcome") + ": " + text_in(report, "outcome_reason");
-  const double seconds = number_in(report.at("solve_seconds"));
+  row["short"] = text_of(report, "outcome") + ": " + text_of(report, "outcome_reason");
+  const double seconds = number_of(report.at("solve_seconds"));
   row["seconds"] = seconds >= 0 ? fmt::format("{:.3g} s", seconds) : "not run";
-  thumbnails.set(row, text_in(report, "folder"));
+  thumbnails.set(row, text_of(report, "folder"));
   return row;
 }
 
@@ -107,11 +100,11 @@ std::string with_unit(double value, const std::string& unit) {
 data verdict_row(const Document& verdict, const Document& report) {
   data row;
   set_report(row, report);
-  const std::string status = text_in(verdict, "status"), unit = text_in(verdict, "unit");
-  const double value = number_in(verdict.at("value")), limit = number_in(verdict.at("limit"));
+  const std::string status = text_of(verdict, "status"), unit = text_of(verdict, "unit");
+  const double value = number_of(verdict.at("value")), limit = number_of(verdict.at("limit"));
   row["status"] = status;
   row["class"] = class_of_status(status);
-  for (const char* key : {"name", "criterion", "detail"}) row[key] = text_in(verdict, key);
+  for (const char* key : {"name", "criterion", "detail"}) row[key] = text_of(verdict, key);
   row["found"] = status == "not run"    ? "not run"
                  : std::isfinite(value) ? with_unit(value, unit)
                                         : std::string("not finite");
@@ -140,7 +133,7 @@ data kind_rows(const Document& index) {
     const std::string kind(word(text.kind));
     for (const Document& report : index.at("reports"))
       for (const Document& verdict : report.at("verdicts"))
-        if (verdict.at("kind") == kind) ++counts[text_in(verdict, "status")];
+        if (verdict.at("kind") == kind) ++counts[text_of(verdict, "status")];
     for (const char* status : statuses)
       for (const Document& report : index.at("reports"))
         for (const Document& verdict : report.at("verdicts"))
@@ -163,7 +156,7 @@ data count_rows(const Document& index) {
   std::map<std::string, long> counts;
   long unheld = 0;
   for (const Document& report : index.at("reports")) {
-    for (const Document& verdict : report.at("verdicts")) ++counts[text_in(verdict, "status")];
+    for (const Document& verdict : report.at("verdicts")) ++counts[text_of(verdict, "status")];
     unheld += report.at("state") == "not held against anything" ? 1 : 0;
   }
   data rows{data::type::list};
@@ -190,8 +183,8 @@ data statistics_rows(const Document& index) {
   data rows{data::type::list};
   for (const Document& one : index.at("statistics")) {
     data row;
-    row["kind"] = text_in(one, "kind");
-    row["class"] = class_of_status(text_in(one, "kind"));
+    row["kind"] = text_of(one, "kind");
+    row["class"] = class_of_status(text_of(one, "kind"));
     for (const char* key : {"comparisons", "left_out"}) row[key] = std::to_string(one.at(key).get<long>());
     row["bias"] = one.at("bias").is_number() ? fmt::format("{:.7g}", one.at("bias").get<double>()) : "–";
     row["spread"] = share_in_words(one.at("spread"));
@@ -205,16 +198,16 @@ data statistics_rows(const Document& index) {
 /// A mark for a pair of a comparison; `which` is "greatest" or "farthest".
 SvgMark mark_of(const Document& comparison, const char* which) {
   const Document& pair = comparison.at(which);
-  const std::string kind = text_in(comparison, "kind"), unit = text_in(comparison, "unit"),
-                    folder = text_in(comparison, "folder");
-  const double reference = number_in(pair.at("reference")), predicted = number_in(pair.at("predicted"));
+  const std::string kind = text_of(comparison, "kind"), unit = text_of(comparison, "unit"),
+                    folder = text_of(comparison, "folder");
+  const double reference = number_of(pair.at("reference")), predicted = number_of(pair.at("predicted"));
   SvgMark mark;
   mark.x = std::abs(reference);
   mark.y = std::abs(predicted);
   mark.css = class_of_status(kind);
   mark.hollow = std::string_view(which) == "farthest";
   mark.title = fmt::format(
-      "{}: {}\npredicted {} for {}\n{}{}", folder, text_in(comparison, "name"), with_unit(predicted, unit),
+      "{}: {}\npredicted {} for {}\n{}{}", folder, text_of(comparison, "name"), with_unit(predicted, unit),
       with_unit(reference, unit), 100 * std::abs(predicted / reference - 1), kind,
       mark.hollow ? ", where they are farthest apart" : ", where the reference is greatest");
   mark.data = fmt::format("data-case=\"{}\" data-kind=\"{}\"", escape_xml(folder), escape_xml(kind));
@@ -256,7 +249,7 @@ std::string scatter_of(const Document& index) {
   add(1, "same");
   for (const Document& one : index.at("statistics")) {
     if (!one.at("spread").is_number()) continue;
-    const std::string of = " of-" + class_of_status(text_in(one, "kind"));
+    const std::string of = " of-" + class_of_status(text_of(one, "kind"));
     const double bias = one.at("bias").get<double>(), spread = one.at("spread").get<double>();
     add(bias, "bias" + of);
     for (const double factor : {bias * (1 + 2 * spread), bias * (1 - 2 * spread)})
@@ -302,7 +295,7 @@ void set_history(data& page, const Document& index) {
     if (charts.empty()) continue;
     ++shown;
     data row;
-    row["folder"] = text_in(report, "folder");
+    row["folder"] = text_of(report, "folder");
     row["charts"] = charts;
     rows.push_back(row);
   }
@@ -319,7 +312,7 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   const std::size_t count = index.at("reports").size();
   const std::string cases = fmt::format("{} report{}", count, count == 1 ? "" : "s");
   page["cases"] = cases;
-  page["headline"] = text_in(index, "headline");
+  page["headline"] = text_of(index, "headline");
   const auto is_state = [&](const char* state) {
     return [state](const Document& report) { return report.at("state") == state; };
   };

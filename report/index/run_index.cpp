@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <array>
 
+#include "report/base/document_value.h"
 #include "report/base/escape.h"
 #include "report/document/junit_suites.h"
 #include "report/index/comparisons.h"
 
 namespace plumb {
 namespace {
-
-std::string text(const Document& object, const char* key) {
-  return object.at(key).get<std::string>();
-}
 
 long count(const Document& verdicts, const char* status) {
   return std::count_if(verdicts.begin(), verdicts.end(),
@@ -108,7 +105,7 @@ std::string headline(const Document& entries) {
   std::string names;
   long named = 0;
   for (const Document& one : entries)
-    if (is_bad(one) && named++ < most_named) names += (names.empty() ? "" : ", ") + text(one, "folder");
+    if (is_bad(one) && named++ < most_named) names += (names.empty() ? "" : ", ") + text_of(one, "folder");
   if (failed > most_named) names += fmt::format(" and {} more", failed - most_named);
   return fmt::format("{} of {} reports {} not meet all of {} criteria: {}.", failed, all,
                      failed == 1 ? "does" : "do", failed == 1 ? "its" : "their", names);
@@ -122,7 +119,7 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
   for (const IndexedReport& report : reports) {
     if (report.document.is_null()) continue;
     for (const auto& [name, probe] : report.document.at("probes").items()) {
-      const std::pair column(name, text(probe, "unit"));
+      const std::pair column(name, text_of(probe, "unit"));
       if (name != "t" && std::find(columns.begin(), columns.end(), column) == columns.end())
         columns.push_back(column);
     }
@@ -228,16 +225,16 @@ std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports) 
 std::string index_summary(const Document& index) {
   constexpr std::size_t size_limit = 60 * 1024;
   std::string summary = fmt::format("# Plumb: {} reports\n\n{}\n\n", index.at("reports").size(),
-                                    escape_markdown(text(index, "headline")));
+                                    escape_markdown(text_of(index, "headline")));
   summary += "| report | outcome | criteria | not met | not run | |\n| --- | --- | --- | --- | --- | --- |\n";
   std::size_t left_out = 0;
   for (const Document& one : index.at("reports")) {
     const std::string row =
-        fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(text(one, "folder")),
-                    is_bad(one) ? fmt::format("**{}**", escape_markdown(text(one, "outcome")))
-                                : escape_markdown(text(one, rank(one) > 3 ? "state" : "outcome")),
+        fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(text_of(one, "folder")),
+                    is_bad(one) ? fmt::format("**{}**", escape_markdown(text_of(one, "outcome")))
+                                : escape_markdown(text_of(one, rank(one) > 3 ? "state" : "outcome")),
                     one.at("criteria").get<long>(), one.at("failed").get<long>(),
-                    one.at("not_run").get<long>(), escape_markdown(text(one, "headline")));
+                    one.at("not_run").get<long>(), escape_markdown(text_of(one, "headline")));
     if (summary.size() + row.size() > size_limit)
       ++left_out;
     else
@@ -247,7 +244,7 @@ std::string index_summary(const Document& index) {
   for (const Document& one : index.at("statistics"))
     if (one.at("spread").is_number())
       summary += fmt::format("\n{}: bias {:.4g}, spread {:.2g} over {} comparisons.\n",
-                             escape_markdown(text(one, "kind")), one.at("bias").get<double>(),
+                             escape_markdown(text_of(one, "kind")), one.at("bias").get<double>(),
                              one.at("spread").get<double>(),
                              one.at("comparisons").get<long>() - one.at("left_out").get<long>());
   return summary;

@@ -19,13 +19,6 @@ std::string run_of(const Document& document) {
   return fmt::format("{}-element run", document.at("solve").at("elements").get<long>());
 }
 
-std::string joined(const std::vector<std::string>& clauses) {
-  std::string text;
-  for (std::size_t k = 0; k < clauses.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == clauses.size() ? " and " : ", ") + clauses[k];
-  return text;
-}
-
 /// Verdicts of one comparison, the one that uses most of what it is allowed first.
 std::vector<Verdict> verdicts_on(const std::string& reference, const std::vector<Verdict>& all) {
   std::vector<Verdict> found;
@@ -104,13 +97,13 @@ std::string sentence_of(const Document& document, const std::string& clause) {
       distances.push_back(distance_of(own.front(), name, what));
   }
   std::vector<std::string> parts;
-  if (!distances.empty()) parts.push_back("is " + joined(distances));
-  if (!agreements.empty()) parts.push_back("agrees " + joined(agreements));
-  if (!differences.empty()) parts.push_back("is " + joined(differences));
+  if (!distances.empty()) parts.push_back("is " + listed(distances));
+  if (!agreements.empty()) parts.push_back("agrees " + listed(agreements));
+  if (!differences.empty()) parts.push_back("is " + listed(differences));
   std::string text = failed > 0 ? fmt::format("{} of {} not met: the {} ", failed, of_all, run_of(document))
                                 : fmt::format("The {} ", run_of(document));
   if (!parts.empty())
-    text += joined(parts);
+    text += listed(parts);
   else
     text += failed > 0 ? "completed" : "completed, and what it was held against is met";
   if (all > 0 && not_run == all)

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "report/base/document_value.h"
 #include "report/base/escape.h"
 #include "report/document/history.h"
 #include "report/page/svg_chart.h"
@@ -15,23 +16,15 @@
 namespace plumb {
 namespace {
 
-std::string text(const Document& object, const char* key) {
-  return object.at(key).get<std::string>();
-}
-
-double number(const Document& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
 /// "9a7fc58, 2026-11-30 19:24:20 UTC, on host"
 std::string title_of(const Document& run) {
-  return fmt::format("{}\n{}\n{}", text(run, "revision"), text(run, "made_at"), text(run, "host"));
+  return fmt::format("{}\n{}\n{}", text_of(run, "revision"), text_of(run, "made_at"), text_of(run, "host"));
 }
 
 /// Runs one after another, the first and the last with their revision.
 SvgAxis axis_of_runs(const Document& runs) {
   const auto last = static_cast<double>(runs.size());
-  const auto shown = [](const Document& run) { return text(run, "revision").substr(0, 9); };
+  const auto shown = [](const Document& run) { return text_of(run, "revision").substr(0, 9); };
   SvgAxis axis{0.5, last + 0.5, false, "runs, by revision", {{1, shown(runs.front())}}};
   if (runs.size() > 1) axis.ticks.emplace_back(last, shown(runs.back()));
   return axis;
@@ -90,7 +83,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 Trend times_of(const Document& runs) {
   Trend trend{"Seconds of the time loop", "s", {}, {}, {}};
   for (const Document& run : runs) {
-    const double seconds = number(run.at("solve_seconds"));
+    const double seconds = number_of(run.at("solve_seconds"));
     const bool alike = run.at("processor") == runs.back().at("processor");
     trend.values.push_back(alike && seconds > 0 ? seconds : none);
     trend.limits.push_back(none);
@@ -105,21 +98,21 @@ bool any_finite(const Trend& trend) {
 
 /// A value of a criterion that was not run is none.
 double found(const Document& criterion) {
-  return criterion.at("status") == "not run" ? none : number(criterion.at("value"));
+  return criterion.at("status") == "not run" ? none : number_of(criterion.at("value"));
 }
 
 std::vector<Trend> criteria_of(const Document& runs) {
   std::vector<Trend> trends;
   for (const Document& last : runs.back().at("criteria")) {
-    Trend trend{text(last, "name"), text(last, "unit"), {}, {}, {}};
+    Trend trend{text_of(last, "name"), text_of(last, "unit"), {}, {}, {}};
     for (const Document& run : runs) {
       const Document* own = nullptr;
       for (const Document& criterion : run.at("criteria"))
         if (criterion.at("name") == last.at("name") && criterion.at("unit") == last.at("unit"))
           own = &criterion;
       trend.values.push_back(own ? found(*own) : none);
-      trend.limits.push_back(own ? number(own->at("limit")) : none);
-      trend.classes.push_back(own ? class_of_status(text(*own, "status")) : "");
+      trend.limits.push_back(own ? number_of(own->at("limit")) : none);
+      trend.classes.push_back(own ? class_of_status(text_of(*own, "status")) : "");
     }
     if (any_finite(trend)) trends.push_back(std::move(trend));
   }
@@ -133,12 +126,12 @@ Trend worst_of(const Document& runs) {
     double worst = none;
     std::string status;
     for (const Document& criterion : run.at("criteria")) {
-      const double limit = number(criterion.at("limit"));
+      const double limit = number_of(criterion.at("limit"));
       if (criterion.at("status") == "another model" || !(limit > 0)) continue;
       const double share = found(criterion) / limit;
       if (!std::isfinite(share) || share <= worst) continue;
       worst = share;
-      status = text(criterion, "status");
+      status = text_of(criterion, "status");
     }
     trend.values.push_back(worst);
     trend.limits.push_back(1);
@@ -152,8 +145,8 @@ std::string section_html(const Document& history, const std::vector<Picture>&) {
   std::string html = fmt::format(
       "<p>{} of this case in <span class=\"file\">{}</span>, the latest {}; the last is this one. Point at a "
       "mark for its revision.</p>\n<div class=\"trends\">\n",
-      runs.size() == 1 ? "One run" : fmt::format("{} runs", runs.size()), escape_xml(text(history, "file")),
-      most_runs_of_history);
+      runs.size() == 1 ? "One run" : fmt::format("{} runs", runs.size()),
+      escape_xml(text_of(history, "file")), most_runs_of_history);
   constexpr double height = 180;
   for (const Trend& trend : criteria_of(runs))
     html += figure_of(trend, runs,

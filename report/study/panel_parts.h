@@ -17,6 +17,18 @@ inline Axis log_axis(const std::string& label, std::optional<std::array<double, 
   return axis;
 }
 
+/// What the legend shows of bars of one colour: a series of no points.
+inline Series bar_key(const std::string& label, Color color) {
+  Series series;
+  series.label = label;
+  series.color = color;
+  series.line_width = 0;
+  series.marker = Marker::square;
+  series.open_marker = false;
+  series.marker_size = 1.4;
+  return series;
+}
+
 inline void add_point(Series& series, double x, double y) {
   series.x.push_back(x);
   series.y.push_back(y);

@@ -10,6 +10,13 @@ std::string counted(long n, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
+std::string listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t k = 0; k < items.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == items.size() ? " and " : ", ") + items[k];
+  return text;
+}
+
 std::string step_cuts(long times, double shortest) {
   if (times <= 0) return "";
   std::string text = "cut " + counted(times, "time", "times");

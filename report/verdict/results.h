@@ -39,6 +39,9 @@ Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSect
 /// "1 step", "2 steps".
 std::string counted(long n, const std::string& one, const std::string& many);
 
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& items);
+
 /// "3 of 4 criteria met."
 std::string met_in_words(const std::vector<Verdict>& verdicts);
 

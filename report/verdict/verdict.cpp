@@ -48,15 +48,21 @@ std::string place_of(double time, const Coverage& coverage) {
                      coverage.of_modes ? "" : " s");
 }
 
+/// It passed, and says nothing.
+void take_back(Verdict& verdict, std::string why) {
+  verdict.status = VerdictStatus::not_run;
+  verdict.value = -1;
+  verdict.detail = std::move(why);
+}
+
 /// Takes back that a distance passed to figures that are known no better than not at all.
 void hold_to_uncertainty(Verdict& verdict, double half_width, const Magnitude& scale) {
   const double greatest = std::max(scale.size, scale.reach);
   if (verdict.status != VerdictStatus::passed || !(greatest > 0) || half_width < greatest) return;
-  verdict.status = VerdictStatus::not_run;
-  verdict.value = -1;
-  verdict.detail = fmt::format(
-      "the uncertainty of the reference, {:.3g} {}, is no less than all that it ever is, {:.3g} {}",
-      half_width, verdict.unit, greatest, verdict.unit);
+  take_back(verdict,
+            fmt::format(
+                "the uncertainty of the reference, {:.3g} {}, is no less than all that it ever is, {:.3g} {}",
+                half_width, verdict.unit, greatest, verdict.unit));
 }
 
 /// What was found of the printed figures: "the print is up to 0.03 m (3.3 %) off the exact figures, at 1 s".
@@ -141,12 +147,12 @@ void hold_to_scale(Verdict& verdict, const Magnitude& scale, const std::string& 
   if (verdict.status != VerdictStatus::passed) return;
   const double greatest = std::max(scale.size, scale.reach);
   if (greatest > 0 && verdict.limit > greatest) {
-    verdict.status = VerdictStatus::not_run;
-    verdict.value = -1;
-    verdict.detail = fmt::format(
-        "its limit of {:.3g} {} is more than {} ever is, {:.3g} {}: a run that does nothing would be within "
-        "it",
-        verdict.limit, verdict.unit, of, greatest, verdict.unit);
+    take_back(
+        verdict,
+        fmt::format(
+            "its limit of {:.3g} {} is more than {} ever is, {:.3g} {}: a run that does nothing would be "
+            "within it",
+            verdict.limit, verdict.unit, of, greatest, verdict.unit));
   } else if (scale.reach > 0 && verdict.limit >= scale.reach) {
     verdict.detail +=
         fmt::format("; {} moves by {:.3g} {} only: one that stands still may be within the limit", of,

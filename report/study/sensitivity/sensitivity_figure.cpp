@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/gl/markup.h"
+#include "report/study/panel_parts.h"
 
 namespace plumb {
 namespace {
@@ -19,17 +20,6 @@ double least_percent(const NumberSensitivity& number, std::size_t criterion) {
     if (const double change = side->noticed[criterion].change; change > 0 && (least < 0 || change < least))
       least = change;
   return least < 0 ? -1 : 100 * least;
-}
-
-Series key_of(const std::string& label, Color color) {
-  Series series;
-  series.label = label;
-  series.color = color;
-  series.line_width = 0;
-  series.marker = Marker::square;
-  series.open_marker = false;
-  series.marker_size = 1.4;
-  return series;
 }
 
 }  // namespace
@@ -71,7 +61,7 @@ Figure sensitivity_figure(const Sensitivity& found) {
   }
   for (std::size_t place = 0; place < shown.size(); ++place) {
     const std::string& name = found.criteria[shown[place]].name;
-    panel.series.push_back(key_of(literal(name), palette[place % palette.size()]));
+    panel.series.push_back(bar_key(literal(name), palette[place % palette.size()]));
     text += fmt::format(" {}:", name);
     for (const NumberSensitivity& number : found.numbers) {
       const double change = least_percent(number, shown[place]);
@@ -80,7 +70,7 @@ Figure sensitivity_figure(const Sensitivity& found) {
     }
     text += ".";
   }
-  if (any_nothing) panel.series.push_back(key_of("nothing is noticed", nothing_color));
+  if (any_nothing) panel.series.push_back(bar_key("nothing is noticed", nothing_color));
   // Pixels: of a bar, between groups, and of the legend, which has the space above them to itself.
   constexpr int row = 30, gap = 24, legend_row = 42, around = 280;
   const int group = gap + row * static_cast<int>(std::max<std::size_t>(1, shown.size()));

@@ -19,14 +19,6 @@ bool is_of_other_run(const std::string& name, const Case& spec) {
   return false;
 }
 
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t k = 0; k < items.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == items.size() ? " and " : ", ") + items[k];
-  return text;
-}
-
 std::string percent(double share) {
   return two_digits(100 * share) + " %";
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/study/panel_parts.h"
+
 namespace plumb {
 namespace {
 
@@ -33,17 +35,6 @@ double distance(const ErrorBudget& budget, const BudgetRun& run, std::size_t ser
   if (run.distances.empty() || !run.distances[series].from_base) return -1;
   const BudgetDistance& from_base = *run.distances[series].from_base;
   return budget.interval > 0 ? from_base.sampled : from_base.at_reference;
-}
-
-Series key_of(const Kind& kind) {
-  Series series;
-  series.label = kind.label;
-  series.color = kind.color;
-  series.line_width = 0;
-  series.marker = Marker::square;
-  series.open_marker = false;
-  series.marker_size = 1.4;
-  return series;
 }
 
 }  // namespace
@@ -77,7 +68,7 @@ Figure budget_figure(const ErrorBudget& budget) {
     }
     text += ".";
   }
-  for (const Kind& kind : kinds) panel.series.push_back(key_of(kind));
+  for (const Kind& kind : kinds) panel.series.push_back(bar_key(kind.label, kind.color));
   panel.x.range = {0.5, static_cast<double>(budget.series.size()) + 0.5};
   panel.y.range = {0.0, highest > 0 ? 1.08 * highest : 1.0};
 
