@@ -70,7 +70,8 @@ ExitStatus do_render(const Options& options, Console& console) {
   write_run(run, folder);
   for (const ReportFormat& format : report_formats()) folder.keep(std::string(format.file));
   for (const char* beside : {"index.html", "study.h5", "assessment.json", "choice.json"}) folder.keep(beside);
-  const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, console);
+  DrawingTools tools;
+  const Pictures pictures = draw_pictures(run, scene, frames, tools, folder, stages, console);
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
