@@ -21,9 +21,11 @@ struct WorkPrecisionRun {
   Outcome outcome = Outcome::not_run;
   std::string message;  ///< for an outcome other than completed
   Counters counters;    ///< of one run
-  /// Of the time loop, one an undisturbed repeat, in the order taken. Of a run that did not complete: once,
-  /// up to where it ended.
+  /// Of the processor in the time loop, one an undisturbed repeat, in the order taken. Of a run that did not
+  /// complete: once, up to where it ended.
   std::vector<double> seconds = {};
+  /// As of its trajectory; known while the study is made.
+  double foreseen_seconds = -1;
   ErrorNorms time_error;   ///< against the same mesh integrated exactly
   ErrorNorms total_error;  ///< against the mesh-converged solution
 
