@@ -27,6 +27,7 @@
 #include "report/program/installed_cases.h"
 #include "report/program/limits.h"
 #include "report/program/results_schema.h"
+#include "report/program/share_option.h"
 #include "report/program/study_kinds.h"
 #include "report/program/surroundings.h"
 #include "report/program/verbs.h"
@@ -170,11 +171,11 @@ void add_comparison(CLI::App& command, Options& options) {
   command.add_flag("--accept", options.accept, "make B the baseline: put it in the place of A");
 }
 
-void add_shares(CLI::App& command, Options& options) {
-  CLI::Option* share = command
-                           .add_option("--share", options.share,
-                                       "compute one share of the points only, as of many machines: 3/16")
-                           ->type_name("K/N");
+void add_shares(const Verb& verb, CLI::App& command, Options& options) {
+  CLI::Option* share =
+      command.add_option("--share", options.share, "one share of the work, as of many machines: 3/16")
+          ->type_name("K/N");
+  if (!verb.takes_parts) return;
   CLI::Option* only = command
                           .add_option("--only", options.only,
                                       "compute only the points that FILE, of --merge, lists as missing")
@@ -239,7 +240,7 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
                      fmt::format("what to vary: {}; default: the first that the case has a table for",
                                  fmt::join(study_kind_names(), ", ")))
         ->type_name("");
-  if (verb.takes_shares) add_shares(*command, options);
+  if (verb.takes_share) add_shares(verb, *command, options);
   if (verb.takes_overrides)
     command
         ->add_option("--set", options.overrides,
@@ -320,6 +321,7 @@ void check_together(const Verb& verb, const Options& options) {
   if (!options.from.empty() && !options.history.empty())
     throw UsageError("--history goes with RUN: --from shows what a results.json says, no new run");
   asked_bounds(options.limits);
+  asked_share(options);
 }
 
 /// Refuses what is wrong in the environment where it matters, and remarks on it elsewhere.

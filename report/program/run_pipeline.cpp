@@ -152,8 +152,8 @@ void write_run(const Run& run, OutputFolder& folder) {
 }
 
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
-                       OutputFolder& folder, Stages& stages, Console& console) {
-  Pictures pictures = draw(run, scene, series_errors(run), range, folder, stages,
+                       DrawingTools& tools, OutputFolder& folder, Stages& stages, Console& console) {
+  Pictures pictures = draw(run, scene, series_errors(run), range, tools, folder, stages,
                            [&](double share) { console.progress("drawing", share); });
   console.end_progress();
   return pictures;
@@ -177,13 +177,14 @@ namespace {
 /// All pictures of a report.
 Pictures draw_all(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
                   Stages& stages, Console& console) {
-  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, console);
+  DrawingTools tools;
+  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, tools, folder, stages, console);
   for (const RunSection& section : sections) {
     if (!section.figures) continue;
     if (!section.drawing_stage.empty()) stages.begin(section.drawing_stage);
     std::vector<Picture>& drawn =
         section.figures_key == figures_key ? pictures.figures : pictures.sections[section.figures_key];
-    for (Picture& picture : draw_figures(section.figures(), run.loaded.spec.title, folder))
+    for (Picture& picture : draw_figures(section.figures(), tools, run.loaded.spec.title, folder))
       drawn.push_back(std::move(picture));
     stages.end();
   }

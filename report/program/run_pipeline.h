@@ -52,7 +52,7 @@ void say_verdicts(const std::vector<Verdict>& verdicts, Console& console);
 
 /// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
-                       OutputFolder& folder, Stages& stages, Console& console);
+                       DrawingTools& tools, OutputFolder& folder, Stages& stages, Console& console);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 /// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.

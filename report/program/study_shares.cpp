@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -10,14 +9,13 @@
 #include "engine/base/file_writing.h"
 #include "report/document/report_formats.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/share_option.h"
 
 namespace plumb {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t most_shares = 1'000'000;
 
 bool is_file(const fs::path& path) {
   std::error_code ignored;
@@ -41,34 +39,13 @@ bool computes_a_part(const Options& options) {
   return !options.share.empty() || !options.only.empty();
 }
 
-Scope share_asked_for(const Options& options) {
-  Scope scope;
-  if (options.share.empty()) return scope;
-  const char* at = options.share.data();
-  const char* end = at + options.share.size();
-  const auto read = [&](std::size_t& number) {
-    const auto [next, error] = std::from_chars(at, end, number);
-    at = next;
-    return error == std::errc() && number >= 1 && number <= most_shares;
-  };
-  if (!read(scope.share) || at == end || *at++ != '/' || !read(scope.shares) || at != end ||
-      scope.share > scope.shares)
-    throw UsageError(fmt::format("--share {}: a share is K/N with K from 1 to N and N at most {}, as 3/16",
-                                 options.share, most_shares));
-  return scope;
-}
-
 std::string part_suffix(const Options& options) {
-  std::string suffix = options.only.empty() ? "" : ".missing";
-  if (!options.share.empty()) {
-    const Scope scope = share_asked_for(options);
-    suffix += fmt::format(".share-{}-of-{}", scope.share, scope.shares);
-  }
-  return suffix;
+  return (options.only.empty() ? "" : ".missing") + suffix_of(asked_share(options));
 }
 
 Scope scope_asked_for(const Options& options, KeptPoints& points) {
-  Scope scope = share_asked_for(options);
+  const Share share = asked_share(options);
+  Scope scope{.share = share.number, .shares = share.of};
   if (options.only.empty()) return scope;
   points.journal().merge(options.only, points.identity());
   scope.only = points.journal().missing();

@@ -134,7 +134,8 @@ Verb study_verb() {
           .takes_overrides = true,
           .takes_output = true,
           .takes_kind = true,
-          .takes_shares = true,
+          .takes_share = true,
+          .takes_parts = true,
           .is_estimated = true,
           .works_in_job = true,
           .uses_renderer = true};

@@ -343,5 +343,40 @@ TEST(DividedStudy, KnowsWhoseTimesMayBeHeldAgainstOneAnother) {
   EXPECT_FALSE(runner.alike({"here", "errors"}));
 }
 
+/// Every second task is computed on another machine.
+class UnlikeWorkers : public Workers {
+ public:
+  void compute(const std::vector<Task>& tasks, Company company, const Take& take) override {
+    LocalWorkers().compute(tasks, company, [&](std::size_t task, TaskEnd end) {
+      if (task % 2 == 1) end.on = {"far", "another processor", "r"};
+      take(task, end);
+    });
+  }
+};
+
+TEST(DividedStudy, OnUnlikeMachinesCountsWorkAndHoldsNoTimesAgainstOneAnother) {
+  LoadedCase loaded = tiny_study_case();
+  Journal journal;
+  UnlikeWorkers workers;
+  Runner runner(journal, {}, workers);
+  const WorkPrecision study = run_work_precision(loaded.spec, false, runner);
+  EXPECT_FALSE(study.timed);
+  for (const WorkPrecisionRun& run : study.runs) EXPECT_TRUE(run.seconds.empty()) << run.setting();
+  ASSERT_FALSE(study.time_front.empty());
+  double before = 0;
+  for (const std::size_t k : study.time_front) {
+    const auto work = static_cast<double>(study.runs[k].counters.force_evaluations);
+    EXPECT_GT(work, before) << "the front is one of force evaluations";
+    EXPECT_EQ(study.work(study.runs[k]), work);
+    before = work;
+  }
+  ASSERT_FALSE(study.time_cheapest.empty());
+  EXPECT_NE(study.time_cheapest[0].in_words.find("force evaluations"), std::string::npos)
+      << study.time_cheapest[0].in_words;
+  std::map<std::string, std::string> said;
+  for (const auto& [name, value] : study.provenance) said[name] = value;
+  EXPECT_NE(said["points computed on far"].find("another processor"), std::string::npos);
+}
+
 }  // namespace divided_study_test
 }  // namespace plumb
