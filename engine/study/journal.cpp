@@ -115,7 +115,8 @@ bool cut_string(std::string_view& text, std::string& value) {
 /// The lines of a file, as long as they are whole, taken into a journal.
 class Journal::Lines {
  public:
-  Lines(Journal& journal, const std::string& identity) : journal_(journal), identity_(identity) {}
+  Lines(Journal& journal, const std::string& identity)
+      : journal_(journal), identity_(identity), source_(++journal.sources_) {}
 
   /// Of the rest of a file. A last line without an end was cut off.
   void take_all(std::istream& file) {
@@ -150,7 +151,10 @@ class Journal::Lines {
       return false;
     text.remove_suffix(1);
     ++points_;
-    journal_.results_.try_emplace(std::move(key), Result{std::string(text), machines_[machine]});
+    Result result{std::string(text), machines_[machine], source_};
+    // What was computed again in one journal counts; of several journals, the first.
+    const auto [known, is_new] = journal_.results_.try_emplace(std::move(key), result);
+    if (!is_new && known->second.source == source_) known->second = std::move(result);
     return true;
   }
 
@@ -164,6 +168,7 @@ class Journal::Lines {
 
   Journal& journal_;
   const std::string& identity_;
+  std::size_t source_;
   std::size_t size_ = 0;
   std::size_t points_ = 0;
   std::size_t damaged_ = 0;
@@ -288,7 +293,7 @@ void Journal::add(const std::string& key, const std::string& result, const Machi
   const std::string own = heading(identity_);
   if (said_.insert(machine).second) lines = summed(machine_line(on, machine), own);
   write(lines + summed(point_line(key, machine, result), own));
-  results_[key] = {result, machine};
+  results_[key] = {result, machine, 0};
 }
 
 bool Journal::empty() const {

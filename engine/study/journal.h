@@ -72,6 +72,7 @@ class Journal {
   struct Result {
     std::string text;
     std::size_t machine;  // of machines_
+    std::size_t source;   // the how many-th file it is from; 0: none
   };
   class Lines;
 
@@ -89,6 +90,7 @@ class Journal {
   mutable std::mutex guard_;
   std::vector<Machine> machines_;
   std::set<std::size_t> said_;  // of machines_, in the file
+  std::size_t sources_ = 0;
   std::map<std::string, Result> results_;
   std::set<std::string> missing_;
 };

@@ -46,12 +46,12 @@ ExitStatus do_render(const Options& options, Console& console) {
   Share share = asked_share(options);
   if (const Job* job = job_of_process(); job != nullptr && options.share.empty())
     share = {static_cast<std::size_t>(job->rank()) + 1, static_cast<std::size_t>(job->size())};
+  Run run = find_run(options.input);
+  run.loaded = with_asked_scene(run.loaded, options);
   const std::string path =
       to_standard_output ? ""
                          : output_path_of_run(options) +
                                (options.output.empty() || options.share.empty() ? suffix_of(share) : "");
-  Run run = find_run(options.input);
-  run.loaded = with_asked_scene(run.loaded, options);
   check_estimate(
       run.loaded.spec,
       {.writes_run = !to_standard_output, .draws = true, .frames = frames ? 1.0 * frames->count() : -1},

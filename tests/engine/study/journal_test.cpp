@@ -247,6 +247,22 @@ TEST(Journal, LinesThatTwoMachinesWroteOverOneAnotherAreDoneAgain) {
   EXPECT_EQ(merged.points(), 3U) << "what comes after a hole is found";
 }
 
+TEST(Journal, OfAPointComputedTwiceTheLastResultCountsAndOfSeveralJournalsTheFirst) {
+  const JournalPath path;
+  {
+    Journal journal(path.string(), of("a"));
+    journal.add("one", "of another version");
+    journal.add("one", "[1]");
+  }
+  EXPECT_EQ(Journal(path.string(), of("a")).find("one"), "[1]");
+  Journal other, merged;
+  merged.merge(path.string(), of("a"));
+  other.add("one", "[2]");
+  write_text(path.string(), other.text(of("a")));
+  merged.merge(path.string(), of("a"));
+  EXPECT_EQ(merged.find("one"), "[1]");
+}
+
 TEST(Journal, IsForOneProgramAtATime) {
   const JournalPath path;
   const Journal journal(path.string(), of("a"));
