@@ -74,6 +74,11 @@ Json without_times(Json json) {
   return json;
 }
 
+/// What cores do to one another is measured, and more points are asked for where it is much.
+void take_as_undisturbed(Journal& journal) {
+  journal.add("slowdown: in company", "1");
+}
+
 /// A study in one piece.
 struct Whole {
   Json result;
@@ -82,6 +87,7 @@ struct Whole {
 
 Whole whole_of(const Make& make) {
   Journal journal;
+  take_as_undisturbed(journal);
   StoppedWorkers workers(never);
   Runner runner(journal, {}, workers);
   Json result = without_times(make(runner));
@@ -98,6 +104,7 @@ void expect_same_after_interruption(const Make& make, const Whole& whole, unsign
     const long kept = std::uniform_int_distribution<long>(1, points - 1)(draw);
     {
       Journal journal(path.string(), identity);
+      take_as_undisturbed(journal);
       StoppedWorkers workers(kept);
       Runner runner(journal, {}, workers);
       EXPECT_THROW(make(runner), Interrupted) << "after " << kept << " of " << points;
@@ -117,6 +124,7 @@ void expect_same_after_interruption(const Make& make, const Whole& whole, unsign
 std::string journal_of(const Make& make, Scope scope, const std::string& list = {}) {
   const JournalPath path;
   Journal journal;
+  take_as_undisturbed(journal);
   if (!list.empty()) {
     std::ofstream(path.string(), std::ios::binary) << list;
     journal.merge(path.string(), identity);
@@ -326,8 +334,8 @@ TEST(DividedStudy, IsDealtOutWholeAndOnce) {
 TEST(DividedStudy, KnowsWhoseTimesMayBeHeldAgainstOneAnother) {
   Journal journal;
   const Machine other{"other", "another processor", "r"};
-  journal.add("timing: 1", "1", other);
-  journal.add("errors: 1", "1", other);
+  journal.add("timing: 1", "1", 1, other);
+  journal.add("errors: 1", "1", 1, other);
   Runner runner(journal);
   const auto ask = [&](const char* part, int count) {
     std::vector<StudyPoint<int>> asked;
