@@ -42,7 +42,7 @@ class Journal {
   std::optional<std::string> find(const std::string& key) const;
   /// Where a known point was computed.
   const Machine& machine_of(const std::string& key) const;
-  /// How long it took there, s; -1: not known.
+  /// How long it took there, s of the processor; -1: not known.
   double seconds_of(const std::string& key) const;
   /// Takes JSON without a line break.
   void add(const std::string& key, const std::string& result, double seconds = -1,

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
+
+#include "engine/integrate/processor_time.h"
 
 namespace plumb {
 
@@ -24,10 +25,9 @@ std::string Runner::text_of(const nlohmann::ordered_json& json) {
 }
 
 std::string Runner::timed(const std::function<std::string()>& compute) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point began = Clock::now();
+  const double began = processor_seconds();
   const std::string line = compute();
-  return fmt::format("{:.3g} {}", std::chrono::duration<double>(Clock::now() - began).count(), line);
+  return fmt::format("{:.3g} {}", processor_seconds() - began, line);
 }
 
 std::pair<double, std::string> Runner::untimed(const std::string& line) {

@@ -174,7 +174,7 @@ class Runner {
   };
 
   static std::string full_key(const std::string& part, const std::string& key) { return part + ": " + key; }
-  /// A line with the seconds before it that it took to compute, and these apart again.
+  /// A line with the seconds of the processor before it that it took to compute, and these apart again.
   static std::string timed(const std::function<std::string()>& compute);
   static std::pair<double, std::string> untimed(const std::string& line);
   static std::string text_of(const nlohmann::ordered_json& json);
