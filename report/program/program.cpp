@@ -47,16 +47,17 @@ bool serves() {
   return job_here != nullptr && job_here->rank() > 0;
 }
 
-/// Whatever goes wrong after a stop was asked for, that is why.
-int fail(const std::string& message, ExitStatus status) {
-  if (is_interrupted() && status != ExitStatus::interrupted)
-    return fail(Interrupted().what(), ExitStatus::interrupted);
+/// Says the one line. Whatever goes wrong after a stop was asked for, that is why.
+int fail(const std::string& error, ExitStatus status) {
+  if (is_interrupted()) status = ExitStatus::interrupted;
+  const std::string message = status == ExitStatus::interrupted ? Interrupted().what() : error;
   if (serves()) {
     fail_in_job(*job_here, message);  // rank 0 says it, and its status is that of the job
     return static_cast<int>(ExitStatus::done);
   }
   const Undivided undivided;
-  std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
+  if (may_say_interrupted() || status != ExitStatus::interrupted)
+    std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
   return static_cast<int>(status);
 }
 
@@ -396,6 +397,7 @@ int act_and_tell(int count, const char* const* arguments) {
     refuse_short_stack();
     catch_interrupts();
     job_here = job_of_process();
+    if (serves()) may_say_interrupted();  // rank 0 says it for all
     const int status = parse_and_act(count, arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw WriteError("standard output", "not all that was said got there");
@@ -407,8 +409,7 @@ int act_and_tell(int count, const char* const* arguments) {
   } catch (const OutputError& error) {
     return fail(error.what(), ExitStatus::output_failed);
   } catch (const Interrupted& error) {
-    return may_say_interrupted() ? fail(error.what(), ExitStatus::interrupted)
-                                 : static_cast<int>(ExitStatus::interrupted);
+    return fail(error.what(), ExitStatus::interrupted);
   } catch (const std::bad_alloc&) {
     return fail_for_memory();
   } catch (const std::length_error&) {

@@ -53,7 +53,7 @@ ExitStatus run_one(const Options& options, Console& console) {
   KeptPoints points(folder.path(), loaded.source, console);
   const std::vector<RunSection> sections =
       computed_sections(run, economy, points.journal(), folder, stages, console);
-  points.write(folder);
+  if (!points.journal().empty()) points.write(folder);
   const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console);
   points.remove();
   return status;

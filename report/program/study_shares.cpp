@@ -8,6 +8,7 @@
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
 #include "report/document/report_formats.h"
+#include "report/page/reproduce.h"
 #include "report/program/run_pipeline.h"
 #include "report/program/share_option.h"
 
@@ -31,6 +32,13 @@ std::vector<std::string> journals_at(const std::string& path) {
   for (const std::string& file : {folder + '/' + points_file_name, folder + unfinished_points})
     if (is_file(file)) files.push_back(file);
   return files;
+}
+
+/// The command of the same study, as a shell takes it.
+std::string study_command(const Options& options, const std::string& kind) {
+  std::string words = fmt::format("plumb study {} {}", shell_word(options.input), kind);
+  for (const std::string& setting : options.overrides) words += " --set " + shell_word(setting);
+  return words;
 }
 
 }  // namespace
@@ -85,9 +93,9 @@ ExitStatus keep_part(const Runner& runner, const KeptPoints& points, const std::
   points.write(folder);
   folder.commit();
   const std::string file = folder.path() + '/' + points_file_name;
-  console.line(fmt::format("{} of {} are computed; to put all together: plumb study {} {} --merge FOLDER…",
+  console.line(fmt::format("{} of {} are computed; to put all together: {} --merge FOLDER…",
                            counted(static_cast<long>(runner.own_points()), "point", "points"),
-                           runner.points(), options.input, kind));
+                           runner.points(), study_command(options, kind)));
   console.line("journal: " + file);
   if (options.json)
     write_to_standard_output(nlohmann::ordered_json{{"kind", kind},
@@ -109,8 +117,8 @@ ExitStatus say_missing(const Runner& runner, const StudyIdentity& identity, cons
   console.error(fmt::format("{} of {} points are missing:", missing.size(), runner.points()));
   for (std::size_t k = 0; k < std::min(most_named, missing.size()); ++k) console.error("  " + missing[k]);
   if (missing.size() > most_named) console.error(fmt::format("  and {} more", missing.size() - most_named));
-  console.error(fmt::format("they are listed in {0}: plumb study {1} {2} --only {0} computes them", list,
-                            options.input, kind));
+  console.error(fmt::format("they are listed in {}: {} --only {} computes them", list,
+                            study_command(options, kind), shell_word(list)));
   if (options.json)
     write_to_standard_output(
         nlohmann::ordered_json{

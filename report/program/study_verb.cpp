@@ -68,6 +68,9 @@ ExitStatus compute(const LoadedCase& loaded, const StudyKind& kind, OutputFolder
     try {
       made = kind.make(loaded, runner);
     } catch (const NotWhole&) {
+    } catch (const OutputError&) {
+      points.say_kept(console);
+      throw;
     }
     console.end_progress();
     const ExitStatus status = computes_a_part(options)
