@@ -7,6 +7,7 @@
 #include "report/document/document.h"
 #include "report/figure/pictures.h"
 #include "report/program/console.h"
+#include "report/program/drawing_beside.h"
 #include "report/program/options.h"
 #include "report/verdict/results.h"
 
@@ -56,8 +57,10 @@ Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optio
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 /// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.
+/// `begun`: what draws them already.
 ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                           Stages& stages, const Options& options, Console& console);
+                           Stages& stages, const Options& options, Console& console,
+                           DrawingBeside* begun = nullptr);
 
 /// `plumb run` of one case.
 ExitStatus run_one(const Options& options, Console& console);

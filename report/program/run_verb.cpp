@@ -51,10 +51,11 @@ ExitStatus run_one(const Options& options, Console& console) {
   if (economy) run.provenance.emplace_back(left_to_scene, "as choice.json says");
   write_run(run, folder);
   KeptPoints points(folder.path(), loaded.source, console);
-  const std::vector<RunSection> sections =
-      computed_sections(run, economy, points.journal(), folder, stages, console);
+  std::optional<DrawingBeside> drawing;
+  const std::vector<RunSection> sections = computed_sections(run, economy, points.journal(), folder, stages,
+                                                             console, [&] { drawing.emplace(run, folder); });
   if (!points.journal().empty()) points.write(folder);
-  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console);
+  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console, &*drawing);
   points.remove();
   return status;
 }

@@ -13,7 +13,7 @@ namespace plumb {
 namespace {
 
 constexpr double long_run = 0.1, short_run = 0.01;  // s
-constexpr double agreement = 0.02;
+constexpr double enough_agreement = 0.02;
 constexpr int short_runs_as_often = 4;
 
 constexpr int pieces_to_time = 4;
@@ -52,7 +52,7 @@ bool is_timed(const std::vector<double>& seconds, int repeats) {
   const double time = least.front();
   if (time >= long_run) return true;
   if (std::ssize(seconds) >= (time < short_run ? short_runs_as_often * repeats : repeats)) return true;
-  return seconds.size() > 1 && least[1] <= (1 + agreement) * time;
+  return seconds.size() > 1 && least[1] <= (1 + enough_agreement) * time;
 }
 
 std::string timing_rule() {
@@ -60,7 +60,7 @@ std::string timing_rule() {
       "runs of {:g} s or more are timed once, shorter ones until their two least times agree to {:g} %, or "
       "as "
       "often as the case says",
-      long_run, 100 * agreement);
+      long_run, 100 * enough_agreement);
 }
 
 }  // namespace plumb
