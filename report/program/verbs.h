@@ -22,6 +22,7 @@ struct Verb {
   bool takes_output = false;
   bool takes_csv = false;
   bool takes_kind = false;     ///< of study
+  bool exports = false;        ///< takes --to, and a file of -o
   bool chooses = false;        ///< takes --economy and --explain
   bool draws = false;          ///< takes what to draw
   bool compares = false;       ///< takes a second path and how to compare
