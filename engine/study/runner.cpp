@@ -1,65 +1,15 @@
 #include "engine/study/runner.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
-
-#include "engine/base/parallel.h"
-#include "engine/base/worker_processes.h"
+#include <array>
 
 namespace plumb {
-namespace {
-
-std::vector<std::size_t> most_work_first(const std::vector<Task>& tasks) {
-  std::vector<std::size_t> order(tasks.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return tasks[a].work > tasks[b].work; });
-  return order;
-}
-
-void compute_together(const std::vector<Task>& tasks, const Workers::Take& take) {
-  const std::vector<std::size_t> order = most_work_first(tasks);
-  std::mutex taking;
-  for_each_in_parallel(tasks.size(), [&](std::size_t k) {
-    const TaskEnd end{tasks[order[k]].compute(), {}};
-    const std::lock_guard lock(taking);
-    take(order[k], end);
-  });
-}
-
-void compute_apart(const std::vector<Task>& tasks, const Workers::Take& take) {
-  std::map<std::size_t, std::vector<std::size_t>> groups;
-  for (std::size_t k = 0; k < tasks.size(); ++k) groups[tasks[k].group].push_back(k);
-  std::vector<std::vector<std::size_t>> jobs_of;
-  WorkerJobs jobs;
-  for (auto& [group, members] : groups) {
-    jobs.lines.push_back(members.size());
-    jobs_of.push_back(std::move(members));
-  }
-  for (const Task& task : tasks) jobs.longest_silence = std::max(jobs.longest_silence, task.patience);
-  jobs.work = [&](std::size_t job, std::size_t first, const TakeLine& line) {
-    for (std::size_t k = first; k < jobs_of[job].size(); ++k) line(tasks[jobs_of[job][k]].compute());
-  };
-  jobs.take = [&](std::size_t job, std::size_t k, const JobLine& line) {
-    take(jobs_of[job][k], {line.text, line.fault});
-  };
-  run_in_processes(jobs);
-}
-
-}  // namespace
-
-void LocalWorkers::compute(const std::vector<Task>& tasks, Company company, const Take& take) {
-  if (company == Company::together) return compute_together(tasks, take);
-  if (company == Company::apart) return compute_apart(tasks, take);
-  for (std::size_t k = 0; k < tasks.size(); ++k) take(k, {tasks[k].compute(), {}});
-}
 
 Runner::Runner(Journal& journal, StudyProgress progress)
-    : journal_(journal), progress_(std::move(progress)), workers_(&own_) {}
+    : journal_(journal), progress_(std::move(progress)), workers_(&own_workers_) {}
 
-Runner::Runner(Journal& journal, StudyProgress progress, Workers& workers)
-    : journal_(journal), progress_(std::move(progress)), workers_(&workers) {}
+Runner::Runner(Journal& journal, StudyProgress progress, Workers& workers, Scope scope)
+    : journal_(journal), progress_(std::move(progress)), workers_(&workers), scope_(std::move(scope)) {}
 
 void Runner::say(const std::string& part, double share) {
   if (!progress_) return;
@@ -71,17 +21,145 @@ std::string Runner::text_of(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-void Runner::compute(const std::string& part, const std::vector<Task>& tasks, std::size_t points,
-                     Company company, const Workers::Take& take) {
-  if (points == 0) return;
-  std::size_t done = points - tasks.size();
-  const auto share = [&] { return static_cast<double>(done) / static_cast<double>(points); };
-  say(part, share());
+/// Points are dealt out by their predicted work, the most first, so that shares are alike; groups stay
+/// together.
+std::vector<bool> Runner::own_of(const PlannedPart& planned) const {
+  const std::size_t count = planned.points.size();
+  if (planned.part.division == Division::shared || planned.part.division == Division::following)
+    return std::vector<bool>(count, scope_.computes);
+  std::vector<bool> own(count, false);
+  if (!scope_.computes) return own;
+  std::size_t dealt = 0;
+  std::map<std::size_t, std::size_t> dealt_groups;
+  for (const std::size_t k : most_work_first(planned.tasks)) {
+    if (scope_.only && !scope_.only->contains(planned.points[k].key)) continue;
+    const std::size_t hand =
+        planned.part.company == Company::apart
+            ? dealt_groups.try_emplace(planned.tasks[k].group, dealt_groups.size()).first->second
+            : dealt++;
+    own[k] = hand % scope_.shares == scope_.share - 1;
+  }
+  return own;
+}
+
+void Runner::add(PlannedPart planned) {
+  const std::vector<bool> own = own_of(planned);
+  if (planned.part.division != Division::split) kept_for_others_.insert(full_key(planned.part.name, ""));
+  points_ += planned.points.size();
+  for (std::size_t k = 0; k < planned.points.size(); ++k) {
+    PointState& point = planned.points[k];
+    point.own = own[k];
+    if (point.own)
+      ++own_points_;
+    else if (!point.known)
+      missing_.push_back(point.key);
+  }
+  planned_.push_back(std::move(planned));
+}
+
+void Runner::compute(const std::string& what) {
+  std::vector<PlannedPart> parts = std::move(planned_);
+  planned_.clear();
+  for (const Company company : {Company::together, Company::apart, Company::alone})
+    compute_in(company, parts, what);
+  bool enough = true;
+  for (PlannedPart& planned : parts) {
+    if (planned.part.is_needed() && workers_->is_job()) spread(planned);
+    for (const PointState& point : planned.points) {
+      if (point.known)
+        processors_[planned.part.name].insert(journal_.machine_of(point.key).processor);
+      else if (planned.part.division == Division::shared)
+        enough = false;
+    }
+  }
+  if (!enough) throw NotWhole();
+}
+
+void Runner::compute_in(Company company, std::vector<PlannedPart>& parts, const std::string& what) {
+  struct Place {
+    PlannedPart* part;
+    std::size_t point;
+  };
+  std::vector<Task> tasks;
+  std::vector<Place> places;
+  std::size_t id = 0, all = 0, done = 0;
+  for (PlannedPart& planned : parts) {
+    if (planned.part.company != company) {
+      id += planned.points.size();
+      continue;
+    }
+    for (std::size_t k = 0; k < planned.points.size(); ++k, ++id) {
+      const PointState& point = planned.points[k];
+      ++all;
+      if (point.known || !point.own) {
+        ++done;
+        continue;
+      }
+      planned.tasks[k].id = id;
+      tasks.push_back(std::move(planned.tasks[k]));
+      places.push_back({&planned, k});
+    }
+  }
+  if (all == 0) return;
+  const auto share = [&] { return static_cast<double>(done) / static_cast<double>(all); };
+  say(what, share());
   workers_->compute(tasks, company, [&](std::size_t task, const TaskEnd& end) {
-    take(task, end);
+    const auto [planned, k] = places[task];
+    const std::string line = end.fault.empty() ? end.line : planned->lost(k, end.fault);
+    PointState& point = planned->points[k];
+    journal_.add(point.key, line, end.on);
+    planned->read(k, line);
+    point.known = true;
     ++done;
-    say(part, share());
+    say(what, share());
   });
+}
+
+void Runner::spread(PlannedPart& planned) {
+  std::vector<std::string> lines;
+  for (const PointState& point : planned.points) lines.push_back(journal_.find(point.key).value_or(""));
+  workers_->spread(lines);
+  if (!workers_->serves()) return;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (lines[k].empty()) continue;
+    planned.read(k, lines[k]);
+    journal_.add(planned.points[k].key, lines[k]);
+    planned.points[k].known = true;
+  }
+}
+
+void Runner::conclude() const {
+  if (!missing_.empty() || workers_->serves()) throw NotWhole();
+}
+
+bool Runner::alike(const std::vector<std::string>& parts) const {
+  std::set<std::string> all;
+  for (const std::string& part : parts)
+    if (const auto found = processors_.find(part); found != processors_.end())
+      all.merge(std::set(found->second));
+  return all.size() <= 1;
+}
+
+Provenance Runner::provenance() const {
+  Provenance provenance = provenance_now();
+  const auto machines = journal_.machines();
+  const bool all_here = std::all_of(machines.begin(), machines.end(), [](const auto& machine) {
+    return machine.second == 0 || machine.first == this_machine();
+  });
+  for (const auto& [machine, points] : machines)
+    if (points > 0 && !all_here)
+      provenance.emplace_back(
+          fmt::format("points computed on {}", machine.host),
+          fmt::format("{}, {}, revision {}", points, machine.processor, machine.revision));
+  return provenance;
+}
+
+std::string Runner::missing_text(const StudyIdentity& identity) const {
+  const auto is_kept = [&](const std::string& key) {
+    return std::any_of(kept_for_others_.begin(), kept_for_others_.end(),
+                       [&](const std::string& begin) { return key.starts_with(begin); });
+  };
+  return journal_.text(identity, is_kept, missing_);
 }
 
 }  // namespace plumb

@@ -4,18 +4,12 @@
 
 #include <filesystem>
 
-#include "engine/base/file_text.h"
-
 namespace plumb {
-namespace {
-
-constexpr const char* points_file_name = "points.jsonl";
-
-}  // namespace
-
 KeptPoints::KeptPoints(const std::string& folder, const CaseSource& source, Console& console)
-    : identity_(study_identity(source)), journal_(folder + ".unfinished.jsonl", identity_) {
+    : identity_(study_identity(source)), journal_(folder + unfinished_points, identity_) {
   if (journal_.found() > 0) console.line("going on with what " + journal_.path() + " holds");
+  if (!journal_.locked())
+    console.remark(journal_.path() + " cannot be locked on its file system: let no other plumb work on it");
   if (journal_.damaged() > 0)
     console.remark(
         fmt::format("{} has {}; what is missing is done again", journal_.path(),
@@ -26,12 +20,10 @@ KeptPoints::~KeptPoints() {
   if (journal_.empty()) journal_.remove();
 }
 
-void KeptPoints::take_over_from_run(const std::string& folder) {
+void KeptPoints::take_over_from(const std::string& folder) {
   const std::filesystem::path file = std::filesystem::path(folder) / points_file_name;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return;
-  const FileText read = read_file_text(file.string());
-  if (read.failure.empty()) journal_.take_over(read.text, identity_);
+  if (std::filesystem::is_regular_file(file, ignored)) journal_.take_over(file.string(), identity_);
 }
 
 void KeptPoints::write(OutputFolder& folder) const {

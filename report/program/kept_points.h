@@ -8,6 +8,10 @@
 
 namespace plumb {
 
+/// The journal in a finished output folder, and what it is called beside a folder in the making.
+inline constexpr const char* points_file_name = "points.jsonl";
+inline constexpr const char* unfinished_points = ".unfinished.jsonl";
+
 /// What the studies of one command have computed, for an output folder: kept beside it while it is made, so
 /// that the same command goes on where it was interrupted.
 class KeptPoints {
@@ -20,10 +24,11 @@ class KeptPoints {
   KeptPoints(const KeptPoints&) = delete;
   KeptPoints& operator=(const KeptPoints&) = delete;
 
-  /// Takes over what `plumb run` has computed of the same case into its output folder.
-  void take_over_from_run(const std::string& folder);
+  /// Takes over what an output folder has of the same case: that of `plumb run`, or of a share.
+  void take_over_from(const std::string& folder);
 
   Journal& journal() { return journal_; }
+  const StudyIdentity& identity() const { return identity_; }
 
   /// Puts them into the folder, for studies to come.
   void write(OutputFolder& folder) const;
@@ -35,7 +40,7 @@ class KeptPoints {
   void remove() { journal_.remove(); }
 
  private:
-  std::string identity_;
+  StudyIdentity identity_;
   Journal journal_;
 };
 

@@ -23,6 +23,9 @@ struct Options {
   std::vector<std::string> inputs;     ///< all of them, where a verb takes several; `input` is the first
   std::string other;                   ///< second file or folder of diff
   std::string kind;                    ///< of study; empty: not given
+  std::string share;                   ///< of --share; empty: not given
+  std::string only;                    ///< of --only; empty: not given
+  std::vector<std::string> merge;      ///< of --merge
   std::vector<std::string> overrides;  ///< of --set
   std::string output;                  ///< of -o; empty: not given
   std::string csv;                     ///< of --csv; empty: not given

@@ -17,8 +17,10 @@
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
 #include "engine/base/interrupt.h"
+#include "engine/base/job.h"
 #include "engine/base/message.h"
 #include "engine/base/nearest.h"
+#include "engine/study/job_workers.h"
 #include "render/gl/environment.h"
 #include "report/base/stages.h"
 #include "report/exports/export_formats.h"
@@ -38,10 +40,21 @@ constexpr const char* exit_statuses =
     "reference or\n"
     "run file; 4 the solver failed; 5 drawing or writing failed; 130 interrupted.";
 
+/// Where the program is one of several processes of a job.
+Job* job_here = nullptr;
+
+bool serves() {
+  return job_here != nullptr && job_here->rank() > 0;
+}
+
 /// Whatever goes wrong after a stop was asked for, that is why.
 int fail(const std::string& message, ExitStatus status) {
   if (is_interrupted() && status != ExitStatus::interrupted)
     return fail(Interrupted().what(), ExitStatus::interrupted);
+  if (serves()) {
+    fail_in_job(*job_here, message);  // rank 0 says it, and its status is that of the job
+    return static_cast<int>(ExitStatus::done);
+  }
   const Undivided undivided;
   std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
   return static_cast<int>(status);
@@ -158,6 +171,24 @@ void add_comparison(CLI::App& command, Options& options) {
   command.add_flag("--accept", options.accept, "make B the baseline: put it in the place of A");
 }
 
+void add_shares(CLI::App& command, Options& options) {
+  CLI::Option* share = command
+                           .add_option("--share", options.share,
+                                       "compute one share of the points only, as of many machines: 3/16")
+                           ->type_name("K/N");
+  CLI::Option* only = command
+                          .add_option("--only", options.only,
+                                      "compute only the points that FILE, of --merge, lists as missing")
+                          ->type_name("FILE");
+  command
+      .add_option("--merge", options.merge,
+                  "compute nothing: the report from the folders of shares, or a list of what is missing")
+      ->type_name("DIR...")
+      ->expected(1, 1'000'000)
+      ->excludes(share)
+      ->excludes(only);
+}
+
 void add_input(const Verb& verb, CLI::App& command, Options& options) {
   const std::string meaning =
       verb.exports           ? "run.h5, or its folder"
@@ -213,6 +244,7 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
                      fmt::format("what to vary: {}; default: the first that the case has a table for",
                                  fmt::join(study_kind_names(), ", ")))
         ->type_name("");
+  if (verb.takes_shares) add_shares(*command, options);
   if (verb.takes_overrides)
     command
         ->add_option("--set", options.overrides,
@@ -359,18 +391,22 @@ int parse_and_act(int count, const char* const* arguments) {
   }
   Options& options = command.options;
   if (command.verb->input == "CASE" && !command.verb->takes_many) options.input = case_named(options.input);
-  Console console(options.json || options.csv == "-" || options.output == "-", options.quiet);
+  if (serves() && !command.verb->works_in_job) return static_cast<int>(ExitStatus::done);
+  Console console(options.json || options.csv == "-" || options.output == "-", options.quiet || serves());
   heed_environment(*command.verb, console);
   return static_cast<int>(command.verb->act(options, console));
 }
 
 }  // namespace
 
-int program(int count, const char* const* arguments) {
+namespace {
+
+int act_and_tell(int count, const char* const* arguments) {
   try {
     open_standard_files();
     refuse_short_stack();
     catch_interrupts();
+    job_here = job_of_process();
     const int status = parse_and_act(count, arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw WriteError("standard output", "not all that was said got there");
@@ -396,6 +432,14 @@ int program(int count, const char* const* arguments) {
     return fail(fmt::format("{}: cannot go on: {}", count > 1 ? arguments[1] : "plumb", reason(error)),
                 ExitStatus::output_failed);
   }
+}
+
+}  // namespace
+
+int program(int count, const char* const* arguments) {
+  const int status = act_and_tell(count, arguments);
+  if (job_here != nullptr && !serves()) end_job(*job_here);
+  return status;
 }
 
 }  // namespace plumb

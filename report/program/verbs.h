@@ -23,10 +23,12 @@ struct Verb {
   bool takes_csv = false;
   bool takes_kind = false;     ///< of study
   bool exports = false;        ///< takes --to, and a file of -o
+  bool takes_shares = false;   ///< --share, --only and --merge
   bool chooses = false;        ///< takes --economy and --explain
   bool draws = false;          ///< takes what to draw
   bool compares = false;       ///< takes a second path and how to compare
   bool is_estimated = false;   ///< takes --limit
+  bool works_in_job = false;   ///< its work is divided among the processes of an MPI job
   bool uses_renderer = false;  ///< draws pictures, or looks at what draws them
 };
 

@@ -187,7 +187,7 @@ EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, 
   std::vector<StudyPoint<SceneNeed>> choices;
   for (const auto& [name, spec] : pictures)
     choices.push_back({name, [&, name = name, spec = spec] { return need_of(name, spec, gauge_of); }});
-  const std::vector<SceneNeed> needs = runner.run("choosing", choices, Company::alone);
+  const std::vector<SceneNeed> needs = runner.run({"choosing", Company::alone, Division::shared}, choices);
 
   int elements = study.spec.reference_elements;
   for (const SceneNeed& need : needs)
@@ -202,20 +202,25 @@ EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, 
                         prove(pictures[k].second, *truth, gauge_of, need);
                         return need;
                       }});
-  study.needs = runner.run("proving", proofs, Company::alone);
-  for (std::size_t k = 0; k < pictures.size(); ++k) study.needs[k].scene = pictures[k].second.scene;
+  const auto needs_proven = runner.plan({"proving", Company::alone}, proofs);
 
-  const auto safe = runner.run<std::array<double, 2>>(
-      "safe default", {{"one run", [&] { return safe_run(loaded.spec); }}}, Company::alone);
-  study.safe_seconds = safe.front()[0];
-  study.safe_end = safe.front()[1];
+  const auto safe = runner.plan<std::array<double, 2>>({"safe default", Company::alone},
+                                                       {{"one run", [&] { return safe_run(loaded.spec); }}});
 
   std::vector<StudyPoint<RandomScene>> scenes;
   for (long k = 0; k < study.spec.scenes; ++k)
     scenes.push_back(
         {fmt::format("{}", k), [&, k] { return run_random_scene(loaded, study.spec, k, gauge_of); }});
-  study.scenes = runner.run("random scenes", scenes);
-  study.provenance = provenance_now();
+  const auto random_scenes = runner.plan("random scenes", scenes);
+  runner.compute("scenes");
+  runner.conclude();
+  study.needs = std::move(*needs_proven);
+  for (std::size_t k = 0; k < pictures.size(); ++k) study.needs[k].scene = pictures[k].second.scene;
+  // Costs are held against that of the safe default.
+  study.safe_seconds = runner.alike({"choosing", "proving", "safe default"}) ? safe->front()[0] : -1;
+  study.safe_end = safe->front()[1];
+  study.scenes = std::move(*random_scenes);
+  study.provenance = runner.provenance();
   return study;
 }
 

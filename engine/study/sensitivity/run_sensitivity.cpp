@@ -123,7 +123,10 @@ Sensitivity run_sensitivity(const LoadedCase& loaded, const Judge& judge, Runner
   const SensitivitySpec spec = sensitivity_of(loaded.spec);
   result.largest = spec.largest;
   result.time_limit = spec.time_limit;
-  Base base = runner.once<Base>("sensitivity", {"as it is", [&] { return judged_as_it_is(loaded, judge); }});
+  Base base = std::move(runner
+                            .run<Base>({"sensitivity", Division::shared},
+                                       {{"as it is", [&] { return judged_as_it_is(loaded, judge); }}})
+                            .front());
   result.criteria = std::move(base.criteria);
   std::vector<bool> wanted;
   for (const JudgedCriterion& criterion : result.criteria) wanted.push_back(criterion.met);
@@ -152,22 +155,25 @@ Sensitivity run_sensitivity(const LoadedCase& loaded, const Judge& judge, Runner
                             });
                           }});
   }
-  std::vector<SearchedSide> sides = runner.run("sensitivity to numbers", searches);
+  const auto found_sides = runner.plan("sensitivity to numbers", std::move(searches));
+  for (PlannedBlunder& blunder : planned_blunders(loaded.spec, spec.blunders))
+    result.blunders.push_back({std::move(blunder), {}});
+  std::vector<StudyPoint<Trial>> points;
+  for (const BlunderSensitivity& of : result.blunders)
+    points.push_back({of.blunder.name, [&] { return of.applies() ? trials.of(of.blunder) : Trial(); }});
+  const auto made = runner.plan("sensitivity to blunders", std::move(points));
+  runner.compute("sensitivity");
+  runner.conclude();
+  std::vector<SearchedSide>& sides = *found_sides;
   for (const SearchedSide& side : sides) result.runs += side.runs;
   for (std::size_t k = 0; k < result.numbers.size(); ++k) {
     result.numbers[k].up = std::move(sides[2 * k]);
     result.numbers[k].down = std::move(sides[2 * k + 1]);
   }
 
-  for (PlannedBlunder& blunder : planned_blunders(loaded.spec, spec.blunders))
-    result.blunders.push_back({std::move(blunder), {}});
-  std::vector<StudyPoint<Trial>> points;
-  for (const BlunderSensitivity& of : result.blunders)
-    points.push_back({of.blunder.name, [&] { return of.applies() ? trials.of(of.blunder) : Trial(); }});
-  std::vector<Trial> made = runner.run("sensitivity to blunders", points);
-  for (std::size_t k = 0; k < made.size(); ++k) {
+  for (std::size_t k = 0; k < made->size(); ++k) {
     BlunderSensitivity& of = result.blunders[k];
-    of.trial = std::move(made[k]);
+    of.trial = std::move((*made)[k]);
     if (of.applies() && of.trial.outcome == Outcome::not_run) of.blunder.why_not = of.trial.message;
     result.runs += of.applies() ? 1 : 0;
   }

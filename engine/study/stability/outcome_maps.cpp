@@ -89,7 +89,10 @@ class Maps {
                         [this, &run] { return points_of(run, what_.tolerance, what_.time_limit); },
                         work(run)});
     std::vector<std::vector<StabilityPoint>> found = runner.run("maps", points);
-    for (std::size_t k = 0; k < runs_.size(); ++k) runs_[k].points = std::move(found[k]);
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      runs_[k].points = std::move(found[k]);
+      runs_[k].points.resize(runs_[k].ends.size());  // of a run that another share computes
+    }
     for (const MapRun& run : runs_) by_key_[{run.variant, run.motion, run.setting}] = &run;
   }
 

@@ -41,20 +41,23 @@ class StabilityStudy {
     study.critical_steps = critical_steps();
     study.energies = energy_histories(variants_, energy_cases(), energy_parameters(), what_.energy_step,
                                       long_limit(), runner_);
-    runner_.say("amplification", 0);
-    study.amplifications = runner_.once<std::vector<ModeAmplification>>(
-        "amplification", {"all", [&] {
-                            return mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
-                          }});
+    const auto amplifications = runner_.plan<std::vector<ModeAmplification>>(
+        "amplification", {{"all", [&] {
+                             return mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
+                           }}});
+    const auto statistics = runner_.plan<std::vector<MotionStatistics>>(
+        "statistics",
+        {{"all",
+          [&] { return motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit()); }}});
+    runner_.compute("amplification");
+    runner_.conclude();
+    study.amplifications = std::move(amplifications->front());
+    study.statistics = std::move(statistics->front());
     for (const ReferenceMotion* motion : all_motions()) {
       study.references.push_back(motion->summary);
       study.divergences.push_back(motion->divergence);
     }
-    study.statistics = runner_.once<std::vector<MotionStatistics>>(
-        "statistics",
-        {"all",
-         [&] { return motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit()); }});
-    study.provenance = provenance_now();
+    study.provenance = runner_.provenance();
     return study;
   }
 
@@ -110,7 +113,7 @@ class StabilityStudy {
                         },
                         1.0 * spec.cable.elements});
     }
-    std::vector<ReferenceMotion> motions = runner_.run("references", points);
+    std::vector<ReferenceMotion> motions = runner_.run({"references", Division::shared}, points);
     for_each_in_parallel(cases.size(), [&](std::size_t k) {
       motions[k].spec = cases[k].first;
       motions[k].trajectory = std::move(trajectories[k]);

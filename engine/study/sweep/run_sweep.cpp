@@ -172,10 +172,11 @@ Sweep run_sweep(const LoadedCase& loaded, Runner& runner, const OutcomeClassifie
                       1, model, std::max(least_silence, patience * spec.time_limit)});
   }
   sweep.runs =
-      runner.run<SweepRun>("sweep", points, Company::apart, [&](std::size_t k, const std::string& fault) {
+      runner.run<SweepRun>({"sweep", Company::apart}, points, [&](std::size_t k, const std::string& fault) {
         return lost_run(loaded, spec, static_cast<long>(k), fault);
       });
-  sweep.provenance = provenance_now();
+  runner.conclude();
+  sweep.provenance = runner.provenance();
   return sweep;
 }
 

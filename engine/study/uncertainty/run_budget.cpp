@@ -9,6 +9,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/read/changed_case.h"
 #include "engine/run/probes_json.h"
+#include "engine/run/sampled_run.h"
 
 namespace plumb {
 namespace {

@@ -26,7 +26,7 @@ bool needs_states(const VariantSpec& variant, const std::vector<VariantSpec>& al
 }  // namespace
 
 VariantsStudy run_variants(const LoadedCase& loaded, Runner& runner) {
-  VariantsStudy study{loaded, {loaded.spec.title, {}, provenance_now()}};
+  VariantsStudy study{loaded, {loaded.spec.title, {}, {}}};
   const std::vector<VariantSpec>& specs = loaded.spec.variants;
   std::vector<Case> cases;
   for (const VariantSpec& spec : specs) cases.push_back(load_variant(loaded.source, spec).spec);
@@ -43,6 +43,8 @@ VariantsStudy run_variants(const LoadedCase& loaded, Runner& runner) {
                       }});
   std::vector<VariantResult>& all = study.result.variants;
   all = runner.run("runs", points);
+  runner.conclude();
+  study.result.provenance = runner.provenance();
   for_each_in_parallel(all.size(), [&](std::size_t k) {
     VariantResult& variant = all[k];
     variant.spec = specs[k];

@@ -57,8 +57,9 @@ class Computation {
     make_curves();
     WorkPrecision study = collect();
     time_runs(study);
+    runner_.conclude();
     evaluate(study);
-    study.provenance = provenance_now();
+    study.provenance = runner_.provenance();
     return study;
   }
 
@@ -108,7 +109,7 @@ class Computation {
                         },
                         1.0 * elements});
     }
-    std::vector<StudyReference> made = runner_.run("references", points);
+    std::vector<StudyReference> made = runner_.run({"references", Division::shared}, points);
     for_each_in_parallel(meshes_.size(), [&](std::size_t k) {
       Mesh& mesh = meshes_[k];
       mesh.reference = std::move(made[k]);
@@ -194,7 +195,7 @@ class Computation {
              [this, task] { return made_curve(*task.plan, *task.mesh); },
              static_cast<double>(points.size())});
       }
-    std::vector<CurveRuns> curves = runner_.run("errors", points);
+    std::vector<CurveRuns> curves = runner_.run({"errors", Division::followed}, points);
     for (std::size_t k = 0; k < tasks_.size(); ++k) tasks_[k].made = std::move(curves[k]);
   }
 
@@ -283,7 +284,8 @@ class Computation {
                                     extent_.repeats),
                         [this, &run] { return measured_seconds(run); }});
     }
-    const std::vector<std::vector<double>> seconds = runner_.run("timing", points, Company::alone);
+    const std::vector<std::vector<double>> seconds =
+        runner_.run({"timing", Company::alone, Division::following}, points);
     for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->seconds = seconds[k];
   }
 

@@ -57,8 +57,9 @@ StudyKind sensitivity_study() {
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
             if (loaded.spec.references.empty() && loaded.spec.given_runs.empty())
               throw InputError(loaded.source.file.name + ": has no criterion that could notice anything");
+            Sensitivity found = run_sensitivity(loaded, judged_criteria, runner);
             return std::make_unique<MadeSensitivity>(
-                SensitivityStudy{loaded, run_sensitivity(loaded, judged_criteria, runner), provenance_now()});
+                SensitivityStudy{loaded, std::move(found), runner.provenance()});
           },
           [](const std::string& json, const std::string& file) -> std::unique_ptr<MadeStudy> {
             return std::make_unique<MadeSensitivity>(decode_sensitivity(json, file));

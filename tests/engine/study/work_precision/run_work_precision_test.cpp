@@ -95,7 +95,7 @@ TEST(WorkPrecisionRun, AnInterruptedStudyGoesOnWhereItWasAndComesToTheSameEnd) {
   const JournalPath path;
   WorkPrecision whole;
   {
-    Journal journal(path.string(), "a");
+    Journal journal(path.string(), {"a", "case.toml"});
     whole = run_with(journal);
   }
   const std::vector<std::string> lines = lines_of(path.string());
@@ -104,8 +104,8 @@ TEST(WorkPrecisionRun, AnInterruptedStudyGoesOnWhereItWasAndComesToTheSameEnd) {
   const std::size_t kept = lines.size() / 2;
   write_lines(path.string(), {lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(kept)},
               lines[kept].substr(0, lines[kept].size() / 2));
-  Journal journal(path.string(), "a");
-  EXPECT_EQ(journal.found(), kept - 1) << "all but the heading and the torn line";
+  Journal journal(path.string(), {"a", "case.toml"});
+  EXPECT_EQ(journal.found(), kept - 2) << "all but the heading, the machine and the torn line";
   expect_same(run_with(journal), whole);
   const std::vector<std::string> after = lines_of(path.string());
   EXPECT_EQ(after.size(), lines.size()) << "nothing was done twice, nothing left out";
@@ -118,11 +118,11 @@ TEST(WorkPrecisionRun, AStudyThatIsDoneIsNotRunAgainAndKeepsItsTimes) {
   const JournalPath path;
   WorkPrecision first;
   {
-    Journal journal(path.string(), "a");
+    Journal journal(path.string(), {"a", "case.toml"});
     first = run_with(journal);
   }
   const std::size_t lines = lines_of(path.string()).size();
-  Journal journal(path.string(), "a");
+  Journal journal(path.string(), {"a", "case.toml"});
   const WorkPrecision again = run_with(journal);
   EXPECT_EQ(lines_of(path.string()).size(), lines);
   for (std::size_t k = 0; k < first.runs.size(); ++k) EXPECT_EQ(again.runs[k].seconds, first.runs[k].seconds);
