@@ -6,7 +6,7 @@ let validator;
 try {
   validator = require('gltf-validator');
 } catch (error) {
-  console.log('there is no gltf-validator (npm install gltf-validator)');
+  console.log('gltf-validator is not installed; `npm install gltf-validator` in the source folder');
   process.exit(77);
 }
 (async () => {

@@ -212,7 +212,7 @@ ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sectio
     pictures.animation_notes = {"the pictures could not be drawn: " + failure};
   }
   Document document = document_of(evaluate(run, stages, sections), pictures);
-  hold_against_earlier(document, pictures, options, folder.path());
+  hold_against_earlier(document, run, pictures, options, folder.path());
   if (!options.history.empty()) add_history(document, options.history);
   stages.begin("report");
   write_report(document, pictures, page_sections(), folder);

@@ -195,7 +195,7 @@ TEST_F(Export, LastNodeOfTheGlbMovesAsTheTipDoes) {
 
 TEST_F(Export, KhronosValidatorFindsNothingInTheGlb) {
   ASSERT_EQ(export_({"run2", "run3", "--to", "glb", "-o", "two.glb"}).status, 0);
-  const Ended said = run_command({"env", "NODE_PATH=" PLUMB_NODE_MODULES, "node",
+  const Ended said = run_command({"env", "NODE_PATH=" PLUMB_SOURCE_DIR "/node_modules", "node",
                                   std::string(PLUMB_SOURCE_DIR) + "/tests/gltf_validator.js", "two.glb"},
                                  folder->path());
   if (said.status == 77 || said.status == 127) GTEST_SKIP() << said.out << said.err;
