@@ -16,7 +16,7 @@ import sys
 ROOMS = {
     "engine": "base case kernels model integrate read run study",
     "render": "image gl plot scene",
-    "report": "base verdict figure document page diff index study library program",
+    "report": "base verdict figure exports document page diff index study library program",
 }
 TOPS = ["engine", "render", "report"]
 WITHIN = {"engine/study": ["reference"], "engine/integrate": [], "report/study": []}

@@ -32,7 +32,7 @@ class Parser {
         if (++cells_ > most_cells) fail(fmt::format("there are more than {} cells", most_cells));
         if (cells_ % 4096 == 0) stop_if_interrupted();
         line.cells.push_back(cell());
-      } while (take(separator_));
+      } while (separates());
       end_line();
       if (line.cells.size() > 1 || !line.cells.front().text.empty()) result.push_back(std::move(line));
     }
@@ -41,6 +41,16 @@ class Parser {
 
  private:
   bool at_end_of_line() const { return at_ == text_.size() || text_[at_] == '\n' || text_[at_] == '\r'; }
+
+  bool separates() {
+    if (separator_ != ' ') return take(separator_);
+    skip_blanks();
+    return !at_end_of_line();
+  }
+
+  bool ends_cell() const {
+    return at_end_of_line() || text_[at_] == separator_ || (separator_ == ' ' && blank(text_[at_]));
+  }
 
   bool take(char c) {
     if (at_ == text_.size() || text_[at_] != c) return false;
@@ -60,7 +70,8 @@ class Parser {
   }
 
   void skip_blanks() {
-    while (at_ < text_.size() && blank(text_[at_]) && text_[at_] != separator_) advance();
+    while (at_ < text_.size() && blank(text_[at_]) && (separator_ == ' ' || text_[at_] != separator_))
+      advance();
   }
 
   CsvCell cell() {
@@ -69,10 +80,14 @@ class Parser {
     if (at_ < text_.size() && text_[at_] == '"') {
       result.text = quoted();
       skip_blanks();
-      if (!at_end_of_line() && text_[at_] != separator_) fail("there is text after a closing quote");
+      if (!ends_cell() && separator_ != ' ') fail("there is text after a closing quote");
       return result;
     }
-    while (!at_end_of_line() && text_[at_] != separator_) {
+    const char first = at_end_of_line() ? '\0' : text_[at_];
+    const char closing = separator_ != ' ' ? '\0' : first == '(' ? ')' : first == '[' ? ']' : '\0';
+    bool closed = closing == '\0';
+    while (!at_end_of_line() && (!closed || !ends_cell())) {
+      closed = closed || text_[at_] == closing;
       result.text += text_[at_];
       advance();
     }

@@ -20,8 +20,10 @@ struct CsvLine {
 
 /// The lines of a CSV file after RFC 4180: cells between commas, in double quotes where they hold a comma, a
 /// quote (doubled) or a line's end. Blanks around a cell are no part of it; empty lines are left out; lines
-/// may end in CR LF. Throws InputError with `name`, line and column for a quote that is not closed, a text
-/// after one that is, or more than ten million cells. Throws Interrupted.
+/// may end in CR LF. A blank as separator stands for any number of blanks and
+/// tabulators, and what is in parentheses or brackets is one cell then. Throws InputError with `name`, line
+/// and column for a quote that is not closed, a text after one that is, or more than ten million cells.
+/// Throws Interrupted.
 std::vector<CsvLine> parse_csv(std::string_view text, const std::string& name, char separator = ',');
 
 /// A cell as a CSV file has it: in quotes where it must be.

@@ -14,10 +14,12 @@ namespace {
 
 constexpr std::string_view figures = "figures/", frames = "frames/";
 
-bool is_numbered_frame(std::string_view name) {
+/// "frames/0000.png" and the like.
+bool is_numbered(std::string_view name, std::string_view folder, std::string_view ending) {
   constexpr std::size_t fewest_digits = 4;
-  if (!name.starts_with(frames) || !name.ends_with(".png")) return false;
-  const std::string_view number = name.substr(frames.size(), name.size() - frames.size() - 4);
+  if (name.size() < folder.size() + ending.size() || !name.starts_with(folder) || !name.ends_with(ending))
+    return false;
+  const std::string_view number = name.substr(folder.size(), name.size() - folder.size() - ending.size());
   return number.size() >= fewest_digits && number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
@@ -36,6 +38,7 @@ constexpr std::string_view page_names[] = {"index.html", "results.json"};
 constexpr std::string_view animation_names[] = {"animation.png", "player.png"};
 constexpr std::string_view other_names[] = {"study.h5",        "study.json",       "choice.json",
                                             "assessment.json", "sensitivity.json", "points.jsonl"};
+constexpr std::string_view export_names[] = {"run.vtkhdf", "run.glb", "run.pvd"};
 
 bool holds_below(const ListedFiles& files, const std::string& folder) {
   const auto first = files.lower_bound(folder + "/");
@@ -84,7 +87,9 @@ bool belongs_to(FolderContent content, std::string_view name, std::span<const st
   const bool run = is_one_of(name, run_names),
              page = is_one_of(name, page_names) || is_figure(name) ||
                     std::find(formats.begin(), formats.end(), name) != formats.end(),
-             picture = is_figure(name) || is_numbered_frame(name) || is_one_of(name, animation_names);
+             picture =
+                 is_figure(name) || is_numbered(name, frames, ".png") || is_one_of(name, animation_names),
+             exported = is_one_of(name, export_names) || is_numbered(name, "vtp/", ".vtp");
   switch (content) {
     case FolderContent::run:
       return run;
@@ -93,7 +98,7 @@ bool belongs_to(FolderContent content, std::string_view name, std::span<const st
     case FolderContent::pictures:
       return run || picture;
     case FolderContent::results:
-      return run || page || picture || is_one_of(name, other_names);
+      return run || page || picture || exported || is_one_of(name, other_names);
     case FolderContent::copies:
       return name != manifest_name;
   }

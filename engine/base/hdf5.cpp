@@ -95,7 +95,10 @@ void write(hid_t file, const std::string& path, hid_t type, const std::vector<hs
   const Handle space = space_of(shape);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path);
   require(H5Pset_create_intermediate_group(links, 1), path);
-  const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+  // The same content is the same bytes whenever it is written.
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
+  require(H5Pset_obj_track_times(creation, false), path);
+  const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose,
                    "cannot make " + path);
   if (count_of(shape) > 0)
     require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "cannot write " + path);
@@ -154,8 +157,35 @@ void Writer::integer(const std::string& path, long value) {
   make_in_memory([&] { write(file_, path, H5T_NATIVE_LONG, {}, &value, "1"); });
 }
 
-void Writer::integers(const std::string& path, const std::vector<long>& values) {
-  make_in_memory([&] { write(file_, path, H5T_NATIVE_LONG, {values.size()}, values.data(), "1"); });
+void Writer::integers(const std::string& path, const std::vector<long>& values,
+                      const std::vector<hsize_t>& shape) {
+  must_have_room(2 * sizeof(long) * values.size());
+  make_in_memory([&] { write(file_, path, H5T_NATIVE_LONG, shape, values.data(), "1"); });
+}
+
+void Writer::put_attribute(const std::string& group, const std::string& name, hid_t type,
+                           const std::vector<hsize_t>& shape, const void* values) {
+  const Handle opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, group), space = space_of(shape);
+  const Handle attribute(H5Acreate2(opened, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         group);
+  require(H5Awrite(attribute, type, values), "cannot write the attribute " + name);
+}
+
+void Writer::attribute(const std::string& group, const std::string& name, long value) {
+  make_in_memory([&] { put_attribute(group, name, H5T_NATIVE_LONG, {}, &value); });
+}
+
+void Writer::attribute(const std::string& group, const std::string& name, const std::vector<long>& values) {
+  make_in_memory([&] { put_attribute(group, name, H5T_NATIVE_LONG, {values.size()}, values.data()); });
+}
+
+void Writer::attribute(const std::string& group, const std::string& name, std::string_view value) {
+  make_in_memory([&] {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot make a string type");
+    require(H5Tset_size(type, value.size()), "cannot make a string type");
+    require(H5Tset_strpad(type, H5T_STR_NULLPAD), "cannot make a string type");
+    put_attribute(group, name, type, {}, std::string(value).data());
+  });
 }
 
 void Writer::text(const std::string& path, std::string_view value) {

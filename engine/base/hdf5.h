@@ -28,17 +28,29 @@ class Writer {
     numbers(path, {}, &value, unit);
   }
   void integer(const std::string& path, long value);
-  void integers(const std::string& path, const std::vector<long>& values);
+  void integers(const std::string& path, const std::vector<long>& values) {
+    integers(path, values, {values.size()});
+  }
+  void integers(const std::string& path, const std::vector<long>& values, const std::vector<hsize_t>& shape);
   void text(const std::string& path, std::string_view value);
   void texts(const std::string& path, const std::vector<std::string>& values);
   /// Bytes of any kind, a file within the file.
   void bytes(const std::string& path, std::string_view value);
+
+  // Of groups that hold something; the formats of others ask for them:
+
+  void attribute(const std::string& group, const std::string& name, long value);
+  void attribute(const std::string& group, const std::string& name, const std::vector<long>& values);
+  /// Of ASCII alone, and of fixed length.
+  void attribute(const std::string& group, const std::string& name, std::string_view value);
 
   /// The bytes of the finished file.
   std::string bytes();
 
  private:
   void open_empty();
+  void put_attribute(const std::string& group, const std::string& name, hid_t type,
+                     const std::vector<hsize_t>& shape, const void* values);
 
   hid_t file_;
 };

@@ -77,7 +77,7 @@ std::string_view dimension(std::string_view base) {
 
 /// Without blanks and signs of multiplication, and with one of the two characters that look like µ.
 std::string plain(std::string_view unit) {
-  constexpr std::array<std::string_view, 4> ignored{" ", "*", "·", "⋅"};
+  constexpr std::array<std::string_view, 5> ignored{" ", "*", "·", "⋅", "-"};
   constexpr std::string_view mu = "μ", micro = "µ";
   std::string result;
   while (!unit.empty()) {

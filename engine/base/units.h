@@ -8,7 +8,7 @@
 namespace plumb {
 
 /// What a number in `unit` is multiplied by to be in `base`, one of the units that Plumb computes in: "s",
-/// "m", "m/s", "1", "N", "1/m", "N m". Blanks and the signs · and * between parts of a unit are alike, so
+/// "m", "m/s", "1", "N", "1/m", "N m". Blanks and the signs ·, * and - between parts of a unit are alike, so
 /// that "Nmm", "N mm" and "N*mm" are one. Nothing for a unit that is unknown or of another dimension.
 std::optional<double> unit_factor(std::string_view unit, std::string_view base);
 

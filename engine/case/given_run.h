@@ -40,6 +40,7 @@ struct GivenRun {
   GivenEnding ending;
   /// What moves in it, where the file is a run file of Plumb's own; else nothing.
   std::shared_ptr<const Case> own_case;
+  std::string taken_for;           ///< what the file was taken for: "HDF5"
   std::vector<std::string> notes;  ///< how the file was read, where that is not plain
 
   /// The column of that name, or nullptr.

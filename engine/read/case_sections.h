@@ -59,15 +59,21 @@ struct ReferencesRead {
 /// Gives the text of a reference or external run by its `file` key, or why there is none.
 using ReferenceText = std::function<FileText(const std::string& file, InputKind kind)>;
 
+/// The files of a folder, or those that a pattern stands for ("runs/*.csv"), relative to the case and sorted;
+/// nothing for the name of one file.
+using NamesOfFiles = std::function<std::optional<std::vector<std::string>>(const std::string& file)>;
+
 /// The reference files of a case, each read once however often the case is, as for each of its variants.
 class ReferenceFiles {
  public:
-  explicit ReferenceFiles(ReferenceText text_of) : text_of_(std::move(text_of)) {}
+  ReferenceFiles(ReferenceText text_of, NamesOfFiles names_of)
+      : text_of_(std::move(text_of)), names_of_(std::move(names_of)) {}
   /// By a reference's `file` key.
   const FileText& text(const std::string& file);
   /// The same, checked; errors show it by the other name. Throws InputError.
   const Reference& reference(const std::string& file, const std::string& shown_name);
   const ReferenceText& text_of() const { return text_of_; }
+  const NamesOfFiles& names_of() const { return names_of_; }
 
  private:
   struct File {
@@ -75,6 +81,7 @@ class ReferenceFiles {
     std::optional<Reference> reference;
   };
   ReferenceText text_of_;
+  NamesOfFiles names_of_;
   std::map<std::string, File> files_;
 };
 
@@ -95,8 +102,10 @@ struct GivenRunsRead {
   std::vector<std::string> remarks;
 };
 
+/// Of a table whose `file` stands for many there is one an external run in `tables` then.
 GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::string& case_name,
-                              const ReferenceText& text_of, const std::vector<ProbeSpec>& probes);
+                              const ReferenceText& text_of, const NamesOfFiles& names_of,
+                              const std::vector<ProbeSpec>& probes);
 
 /// Refuses an external run that lacks a column which a comparison or a figure of the case needs, unless its
 /// table says that there is none.

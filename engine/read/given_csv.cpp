@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -11,6 +10,8 @@
 #include "engine/base/errors.h"
 #include "engine/base/message.h"
 #include "engine/read/given_table.h"
+#include "engine/read/table_number.h"
+#include "engine/read/table_text.h"
 
 namespace plumb {
 namespace {
@@ -19,53 +20,29 @@ namespace {
   throw InputError(one_line(place + ": " + what));
 }
 
-/// The number that is all of a text, with a decimal point and an optional sign; "nan" and "inf" are numbers.
-std::optional<double> parse_number(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // A number too large or too small to be told from infinity or 0 is as good as not finite.
-  if (error == std::errc::result_out_of_range && end == text.data() + text.size()) return HUGE_VAL;
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
-}
-
-char separator_of(std::string_view header) {
-  // What is in quotes separates nothing.
-  std::size_t commas = 0, semicolons = 0, tabulators = 0;
-  bool quoted = false;
-  for (const char c : header) {
-    if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    commas += c == ',' ? 1U : 0U;
-    semicolons += c == ';' ? 1U : 0U;
-    tabulators += c == '\t' ? 1U : 0U;
-  }
-  if (semicolons > 0 && semicolons >= commas) return ';';
-  return tabulators > commas ? '\t' : ',';
-}
-
 class CsvTable final : public GivenTable {
  public:
   explicit CsvTable(const NamedText& file) : GivenTable(file.name) {
-    if (file.text.find('\0') != std::string::npos) fail(name_, "is neither HDF5 nor text: it holds a 0 byte");
-    separator_ = separator_of(header_text(file.text));
-    lines_ = parse_csv(file.text, name_, separator_);
-    const auto comment = [](const CsvLine& line) { return line.cells.front().text.starts_with('#'); };
-    const auto header = std::find_if_not(lines_.begin(), lines_.end(), comment);
-    const auto passed_over = header - lines_.begin();
-    if (header == lines_.end()) fail(name_, "has no header: the first line must name the columns");
-    if (passed_over > 0)
-      notes_.push_back(fmt::format("{} before the header passed over, which begin{} with #",
-                                   passed_over == 1 ? "a line" : fmt::format("{} lines", passed_over),
-                                   passed_over == 1 ? "s" : ""));
-    lines_.erase(lines_.begin(), header);
+    TableText table = table_text(file);
+    notes_ = std::move(table.notes);
+    separator_ = table.separator;
+    lines_ = parse_csv(table.text, name_, separator_);
+    if (lines_.empty()) fail(name_, "has no header: the first line must name the columns");
+    if (separator_ == ' ') join_units(lines_.front());
     if (lines_.size() > 1) check_for_numbers();
     read_header();
+    if (table.has_units) read_units();
+    drop_repeated_headers();
     check_rows();
-    if (separator_ == ';') notes_.emplace_back("its columns are separated by semicolons");
-    if (separator_ == '\t') notes_.emplace_back("its columns are separated by tabulators");
+    static constexpr std::pair<char, const char*> names[] = {
+        {',', "commas"}, {';', "semicolons"}, {'\t', "tabulators"}, {' ', "blanks"}};
+    std::string columns = "columns are separated by ";
+    for (const auto& [sign, name] : names)
+      if (sign == separator_) columns += name;
+    if (separator_ != ',') notes_.push_back("its " + columns);
+    taken_for_ = "a table whose " + columns + (table.has_units ? ", with a row of units" : "");
     find_decimal_sign();
+    find_fortran_exponents();
   }
 
   std::vector<double> values(int column) const override {
@@ -85,29 +62,63 @@ class CsvTable final : public GivenTable {
     return fmt::format("{}:{}:{}", name_, line.number, cell.column);
   }
 
-  /// The first line that is no comment and not empty.
-  static std::string_view header_text(std::string_view text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-      const std::string_view line = text.substr(0, end);
-      const std::size_t first = line.find_first_not_of(" \t");
-      if (first != std::string_view::npos && line[first] != '#') return line;
-      text.remove_prefix(std::min(end + 1, text.size()));
+  /// Between blanks a unit stands alone: it belongs to the name before it.
+  static void join_units(CsvLine& header) {
+    for (std::size_t k = 1; k < header.cells.size();) {
+      const std::string& text = header.cells[k].text;
+      if (text.starts_with('[') && text.ends_with(']')) {
+        header.cells[k - 1].text += " " + text;
+        header.cells.erase(header.cells.begin() + static_cast<std::ptrdiff_t>(k));
+      } else {
+        ++k;
+      }
     }
-    return {};
+  }
+
+  void read_units() {
+    const CsvLine& line = lines_[1];
+    if (line.cells.size() < columns_.size())
+      fail(place_of(line, line.cells.back()),
+           fmt::format("the row of units has {} cells, that of the names {}", line.cells.size(),
+                       columns_.size()));
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      if (columns_[k].unit.empty()) columns_[k].unit = unit_in_brackets(line.cells[k].text);
+    units_line_ = line;
+    lines_.erase(lines_.begin() + 1);
+  }
+
+  /// A run that was stopped and went on has its header once more in the middle.
+  void drop_repeated_headers() {
+    const auto same = [](const CsvLine& a, const CsvLine& b) {
+      return std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
+                        [](const CsvCell& x, const CsvCell& y) { return x.text == y.text; });
+    };
+    std::vector<CsvLine> kept;
+    std::vector<int> at;
+    for (CsvLine& line : lines_) {
+      if (kept.empty() || (!same(line, kept.front()) && !same(line, units_line_))) {
+        kept.push_back(std::move(line));
+      } else if (!same(line, units_line_)) {
+        at.push_back(line.number);
+        restarts_.push_back(kept.size() - 1);
+      }
+    }
+    lines_ = std::move(kept);
+    if (!at.empty())
+      notes_.push_back(
+          fmt::format("its header is repeated at line{} {}: what follows is taken for the same run going on",
+                      at.size() == 1 ? "" : "s", fmt::join(at, ", ")));
   }
 
   void check_for_numbers() const {
     const auto& cells = lines_.front().cells;
     if (!std::all_of(cells.begin(), cells.end(),
-                     [](const CsvCell& cell) { return parse_number(cell.text).has_value(); }))
+                     [](const CsvCell& cell) { return table_number(cell.text).has_value(); }))
       return;
     fail(place_of(lines_.front(), cells.front()),
          fmt::format("\"{}\" is a number where the header must be: the first line must name the columns{}",
                      short_value(cells.front().text),
-                     notes_.empty() ? "" : " (lines that begin with # are passed over)"));
+                     notes_.empty() ? "" : " (lines that begin with #, %, ! or // are passed over)"));
   }
 
   void read_header() {
@@ -163,7 +174,7 @@ class CsvTable final : public GivenTable {
     const CsvLine *comma_line = nullptr, *point_line = nullptr;
     for (std::size_t row = 1; row < lines_.size(); ++row)
       for (const CsvCell& cell : lines_[row].cells) {
-        if (cell.text.find_first_not_of("+-0123456789.,eE") != std::string::npos) continue;
+        if (cell.text.find_first_not_of("+-0123456789.,eEdD") != std::string::npos) continue;
         if (!with_comma && cell.text.find(',') != std::string::npos) {
           with_comma = &cell;
           comma_line = &lines_[row];
@@ -184,6 +195,23 @@ class CsvTable final : public GivenTable {
     notes_.emplace_back("the commas in its numbers are read as decimal signs");
   }
 
+  void find_fortran_exponents() {
+    for (std::size_t row = 1; row < lines_.size(); ++row)
+      for (const CsvCell& cell : lines_[row].cells)
+        if (!table_number_is_plain(cell.text) && has_fortran_exponent(cell.text)) {
+          notes_.push_back(
+              fmt::format("\"{}\" and its like are read with the exponents of Fortran", cell.text));
+          return;
+        }
+  }
+
+  /// Most cells: no letter of Fortran's, and no sign but at the start and after an e.
+  static bool table_number_is_plain(std::string_view text) {
+    const std::size_t sign = text.find_first_of("+-", 1);
+    return text.find_first_of("dDqQ") == std::string_view::npos &&
+           (sign == std::string_view::npos || text[sign - 1] == 'e' || text[sign - 1] == 'E');
+  }
+
   double number(int column, std::size_t row) const {
     const CsvCell& cell = lines_[row + 1].cells[static_cast<std::size_t>(column)];
     const auto refuse_cell = [&](const std::string& what) {
@@ -195,7 +223,7 @@ class CsvTable final : public GivenTable {
     std::string text = cell.text;
     if (decimal_comma_ && std::count(text.begin(), text.end(), ',') == 1)
       std::replace(text.begin(), text.end(), ',', '.');
-    const std::optional<double> value = parse_number(text);
+    const std::optional<double> value = table_number(text);
     if (!value)
       refuse_cell(separator_ == ',' && text.find(',') != std::string::npos
                       ? "must be a finite number; decimals with commas need columns separated by semicolons"
@@ -205,6 +233,7 @@ class CsvTable final : public GivenTable {
   }
 
   std::vector<CsvLine> lines_;  ///< the header and the rows
+  CsvLine units_line_;          ///< between them, where there is one
   char separator_ = ',';
   bool decimal_comma_ = false;
   bool ends_in_separator_ = false;

@@ -24,6 +24,7 @@ class Hdf5Table final : public GivenTable {
   explicit Hdf5Table(const NamedText& file) : GivenTable(file.name) {
     try {
       reader_.emplace(file.text);
+      taken_for_ = "HDF5";
       read_ending(file.text);
       for (const std::string& path : reader_->series())
         columns_.push_back({path, reader_->unit(path), at(path)});
@@ -67,6 +68,7 @@ class Hdf5Table final : public GivenTable {
     if (!reader_->has("format") || !reader_->has("format_version") || reader_->text("format") != "plumb-run")
       return;
     without_check_sum(bytes, "run file");
+    taken_for_ = "a run file of Plumb's";
     for (const std::string group : {"", "given/"}) {
       if (!reader_->has(group + "outcome")) continue;
       ending_ = {reader_->text(group + "outcome"), one_line(reader_->text(group + "message"))};

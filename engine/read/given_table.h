@@ -26,6 +26,10 @@ class GivenTable {
   const std::shared_ptr<const Case>& own_case() const { return own_case_; }
   /// How the run in it ended, where the file says so.
   const GivenEnding& ending() const { return ending_; }
+  /// What the file is taken for, in words: "HDF5", "a table whose columns are separated by commas".
+  const std::string& taken_for() const { return taken_for_; }
+  /// Rows at which a run that was stopped goes on, perhaps from an earlier time.
+  const std::vector<std::size_t>& restarts() const { return restarts_; }
   /// How the file was read, where that is not plain.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -47,6 +51,8 @@ class GivenTable {
   std::vector<Column> columns_;
   GivenEnding ending_;
   std::shared_ptr<const Case> own_case_;
+  std::string taken_for_;
+  std::vector<std::size_t> restarts_;
   std::vector<std::string> notes_;
 
  private:
@@ -57,8 +63,9 @@ class GivenTable {
 /// Throws InputError.
 std::unique_ptr<GivenTable> read_given_table(const NamedText& file);
 
-/// CSV with a header. Columns are separated by commas, semicolons or tabulators, whichever the header has;
-/// unless by commas, decimals may have commas. Lines before the header that begin with # are passed over.
+/// A table of text with a header, as table_text() finds it. Unless columns are separated by commas, decimals
+/// may have commas; exponents may be Fortran's. A header that is repeated begins what a run that was stopped
+/// goes on with.
 std::unique_ptr<GivenTable> read_given_csv(const NamedText& file);
 
 /// HDF5: each data set of one dimension is a column, named by its path, with the unit in its attribute

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -133,8 +134,8 @@ void read_studies(TableReader study, const NamedText& file, const TomlValue& wri
 }
 
 LoadedCase read_case(const NamedText& file, const std::vector<std::string>& overrides, ReferenceText text_of,
-                     Extent extent, const SectionUse& uses = use_all) {
-  ReferenceFiles files(std::move(text_of));
+                     NamesOfFiles names_of, Extent extent, const SectionUse& uses = use_all) {
+  ReferenceFiles files(std::move(text_of), std::move(names_of));
   return read_case(file, parse_toml(file), overrides, files, extent, uses);
 }
 
@@ -188,7 +189,8 @@ LoadedCase read_case(const NamedText& file, const TomlValue& written,
   spec.damping = read_damping(damping, spec.cable.model);
   if (extent != Extent::motion) spec.probes = read_probes(probes);
   GivenRunsRead given;
-  if (extent == Extent::everything) given = read_given_runs(runs, file.name, files.text_of(), spec.probes);
+  if (extent == Extent::everything)
+    given = read_given_runs(runs, file.name, files.text_of(), files.names_of(), spec.probes);
   spec.given_runs = std::move(given.specs);
   if (given_only) {
     const double last = given.runs.front().times.back();
@@ -276,6 +278,53 @@ ReferenceText texts_of(const CaseSource& source) {
   };
 }
 
+/// Whether a name stands for several files by what it is: a pattern in its last part.
+bool is_pattern(const std::string& file) {
+  return file.find_first_of("*?[") != std::string::npos;
+}
+
+bool belongs_to_pattern(const std::string& name, const std::string& pattern) {
+  return ::fnmatch(pattern.c_str(), name.c_str(), FNM_PATHNAME | FNM_PERIOD) == 0;
+}
+
+/// The same of files on the disk, below the folder of a case.
+NamesOfFiles names_on_disk(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  return [folder](const std::string& file) -> std::optional<std::vector<std::string>> {
+    std::error_code error;
+    const bool is_folder = fs::is_directory(folder / file, error);
+    if (fs::exists(folder / file, error) ? !is_folder : !is_pattern(file)) return {};
+    std::vector<std::string> names;
+    const fs::path below = is_folder ? fs::path(file) : fs::path(file).parent_path();
+    for (fs::directory_iterator entry(folder / (below.empty() ? "." : below), error), end;
+         !error && entry != end; entry.increment(error)) {
+      const std::string name = (below / entry->path().filename()).string();
+      const bool wanted =
+          is_folder ? !entry->path().filename().string().starts_with('.') : belongs_to_pattern(name, file);
+      if (wanted && entry->is_regular_file(error)) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+}
+
+/// The same of the files that a source holds, which must outlive it.
+NamesOfFiles names_in(const CaseSource& source) {
+  return [&](const std::string& file) -> std::optional<std::vector<std::string>> {
+    std::vector<std::string> names;
+    for (const NamedText& run : source.given_runs) {
+      if (run.name == file) return {};
+      const std::filesystem::path below = std::filesystem::path(run.name).parent_path();
+      if ((is_pattern(file) && belongs_to_pattern(run.name, file)) ||
+          below.lexically_normal() == (std::filesystem::path(file) / "").lexically_normal().parent_path())
+        names.push_back(run.name);
+    }
+    if (names.empty()) return {};
+    std::sort(names.begin(), names.end());
+    return names;
+  };
+}
+
 }  // namespace
 
 LoadedCase::LoadedCase() = default;
@@ -296,15 +345,17 @@ LoadedCase load_case(const std::string& path, const std::vector<std::string>& ov
   return read_case(
       {path, text}, overrides,
       [&](const std::string& name, InputKind kind) { return read_file_text((folder / name).string(), kind); },
-      Extent::everything, uses);
+      names_on_disk(folder), Extent::everything, uses);
 }
 
 LoadedCase load_case(const CaseSource& source, const SectionUse& uses) {
-  return read_case(source.file, source.overrides, texts_of(source), Extent::everything, uses);
+  return read_case(source.file, source.overrides, texts_of(source), names_in(source), Extent::everything,
+                   uses);
 }
 
 LoadedCase load_without_studies(const CaseSource& source) {
-  return read_case(source.file, source.overrides, texts_of(source), Extent::without_studies);
+  return read_case(source.file, source.overrides, texts_of(source), names_in(source),
+                   Extent::without_studies);
 }
 
 LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
@@ -313,7 +364,7 @@ LoadedCase load_variant(const CaseSource& source, const VariantSpec& variant) {
 
 LoadedCase load_changed(const CaseSource& source, const std::vector<std::string>& overrides) {
   return read_case(source.file, joined_overrides(source.overrides, overrides), texts_of(source),
-                   Extent::without_studies);
+                   names_in(source), Extent::without_studies);
 }
 
 }  // namespace plumb

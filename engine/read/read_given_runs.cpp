@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <unordered_set>
 
 #include "engine/base/errors.h"
@@ -64,14 +65,30 @@ void check_name(const TableReader& table, const std::string& name, bool given,
     table.refuse_value("name", "must differ from that of every other run" + end);
 }
 
+/// Whether a column is two names that were not taken apart: "t tip.x".
+bool is_of_two_names(std::string_view column, const std::vector<std::string>& names) {
+  int found = 0;
+  while (!column.empty()) {
+    const std::size_t end = std::min(column.find_first_of(" \t;|,"), column.size());
+    const std::string_view word = column.substr(0, end);
+    found += word == "Time" || word == "time" || word == time_column ||
+                     std::find(names.begin(), names.end(), word) != names.end()
+                 ? 1
+                 : 0;
+    column.remove_prefix(std::min(end + 1, column.size()));
+  }
+  return found > 1;
+}
+
 /// "; did you mean "mid y"? The file has: t, mid y, tip y".
-std::string what_is_there(const std::string& name, const GivenTable& file) {
+std::string what_is_there(const std::string& name, const GivenTable& file, const ProbeColumns& probes) {
   constexpr std::size_t most = 20;
   std::vector<std::string> names;
   for (const GivenTable::Column& column : file.columns()) names.push_back(column.name);
   // What has one column is hardly a table: a file that was named by mistake is not shown.
   if (names.size() == 1) return "; the file has one column only";
-  const std::string near = short_value(nearest(name, names));
+  const std::string_view nearest_name = nearest(name, names);
+  const std::string near = is_of_two_names(nearest_name, probes.names()) ? "" : short_value(nearest_name);
   const std::size_t more = names.size() > most ? names.size() - most : 0;
   names.resize(names.size() - more);
   for (std::string& shown : names) shown = short_value(shown);
@@ -90,6 +107,7 @@ class RunReader {
   GivenRun read() {
     GivenRun run;
     run.notes = file_.notes();
+    run.taken_for = file_.taken_for();
     run.ending = file_.ending();
     run.own_case = file_.own_case();
     read_times(run);
@@ -102,18 +120,20 @@ class RunReader {
       column.unit = base_unit(name, probes_);
       column.file_unit = unit_of(name, found, run);
       column.values = converted(found, column.file_unit, column.unit);
-      if (column.values.size() != run.times.size())
+      if (column.values.size() != rows_)
         throw InputError(fmt::format("{}: the column has {} rows, that of the time {}",
                                      file_.columns()[static_cast<std::size_t>(found)].place,
-                                     column.values.size(), run.times.size()));
+                                     column.values.size(), rows_));
+      column.values = of_kept_rows(column.values);
       run.columns.push_back(std::move(column));
     }
     if (run.columns.empty()) {
       const std::vector<std::string>& wanted = probes_.names();
-      table_.refuse_value("columns", wanted.empty()
-                                         ? "the case has no [[probe]] that a column of the file could be of"
-                                         : fmt::format("{} has no column of the probes, as {}{}", spec_.file,
-                                                       wanted.front(), what_is_there(wanted.front(), file_)));
+      table_.refuse_value(
+          "columns", wanted.empty()
+                         ? "the case has no [[probe]] that a column of the file could be of"
+                         : fmt::format("{} has no column of the probes, as {}{}", spec_.file, wanted.front(),
+                                       what_is_there(wanted.front(), file_, probes_)));
     }
     return run;
   }
@@ -130,26 +150,51 @@ class RunReader {
     if (mapped->second.empty()) return -1;
     const int found = file_.find(mapped->second);
     if (found < 0)
-      columns_.refuse_value(
-          name, fmt::format("{} has no such column{}", spec_.file, what_is_there(mapped->second, file_)));
+      columns_.refuse_value(name, fmt::format("{} has no such column{}", spec_.file,
+                                              what_is_there(mapped->second, file_, probes_)));
     return found;
   }
 
-  void read_times(GivenRun& run) const {
+  /// Where a run that was stopped goes on from an earlier time, what it had from there on is left out.
+  void leave_out_what_is_repeated(GivenRun& run) {
+    const std::vector<std::size_t>& restarts = file_.restarts();
+    std::size_t left_out = 0;
+    for (std::size_t row = 0; row < run.times.size(); ++row) {
+      if (std::find(restarts.begin(), restarts.end(), row) != restarts.end())
+        for (; !kept_.empty() && run.times[kept_.back()] >= run.times[row]; ++left_out) kept_.pop_back();
+      kept_.push_back(row);
+    }
+    if (left_out > 0)
+      run.notes.push_back(fmt::format("{} before a repeated header left out, as {} times come again after it",
+                                      left_out == 1 ? "a row" : fmt::format("{} rows", left_out),
+                                      left_out == 1 ? "its" : "their"));
+    run.times = of_kept_rows(run.times);
+  }
+
+  std::vector<double> of_kept_rows(const std::vector<double>& values) const {
+    std::vector<double> kept;
+    kept.reserve(kept_.size());
+    for (const std::size_t row : kept_) kept.push_back(values[row]);
+    return kept;
+  }
+
+  void read_times(GivenRun& run) {
     const int found = find(time_column);
     if (found < 0)
       table_.refuse_value("columns",
                           fmt::format("{} has no column \"t\" for the time{}; name it, as in columns = {{ "
                                       "t = \"Time\" }}",
-                                      spec_.file, what_is_there("time", file_)));
+                                      spec_.file, what_is_there("time", file_, probes_)));
     run.time_column = file_.columns()[static_cast<std::size_t>(found)].name;
     run.time_unit = unit_of(time_column, found, run);
     run.times = converted(found, run.time_unit, "s");
+    rows_ = run.times.size();
+    leave_out_what_is_repeated(run);
     for (std::size_t row = 1; row < run.times.size(); ++row)
       if (!(run.times[row] > run.times[row - 1]))
         throw InputError(fmt::format("{}: {} = {} s: must be greater than the time before it, {} s",
-                                     file_.place(found, row), run.time_column, number_text(run.times[row]),
-                                     number_text(run.times[row - 1])));
+                                     file_.place(found, kept_[row]), run.time_column,
+                                     number_text(run.times[row]), number_text(run.times[row - 1])));
   }
 
   std::string unit_of(const std::string& name, int column, GivenRun& run) const {
@@ -185,22 +230,66 @@ class RunReader {
   const GivenRunSpec& spec_;
   const GivenTable& file_;
   const ProbeColumns& probes_;
+  std::size_t rows_ = 0;           ///< of the file
+  std::vector<std::size_t> kept_;  ///< of these
 };
+
+/// A name after the file's, with _ for what a name may not have.
+std::string name_of_file(const std::string& file) {
+  std::string name = std::filesystem::path(file).stem().string();
+  for (char& c : name)
+    if (std::string one(1, c); !follows_name_rule("a" + one)) c = '_';
+  return name;
+}
+
+/// The tables with one for each file where `file` is a folder or a pattern; of these, names are taken from
+/// the files.
+struct FilesOfRuns {
+  std::vector<TableReader> tables;
+  std::vector<std::string> files;
+  std::vector<bool> is_one_of_many;
+};
+
+FilesOfRuns files_of_runs(std::vector<TableReader>& tables, const NamesOfFiles& names_of) {
+  FilesOfRuns all;
+  for (TableReader& table : tables) {
+    const std::string file = table.text(
+        "file", "the path of a CSV or HDF5 file, of a folder of such, or a pattern, relative to this one");
+    const std::optional<std::vector<std::string>> names = names_of(file);
+    if (names && names->empty()) table.refuse_value("file", "there is no file in it");
+    if (names && table.has("name"))
+      table.refuse_value("name", "several files cannot have one name; each has that of its file");
+    for (const std::string& one : names.value_or(std::vector{file})) {
+      if (all.files.size() == most_files)
+        table.refuse_value("file", fmt::format("at most {} runs are allowed", most_files));
+      all.tables.push_back(table);
+      all.files.push_back(one);
+      all.is_one_of_many.push_back(names.has_value());
+    }
+  }
+  return all;
+}
 
 }  // namespace
 
 GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::string& case_name,
-                              const ReferenceText& text_of, const std::vector<ProbeSpec>& probes) {
+                              const ReferenceText& text_of, const NamesOfFiles& names_of,
+                              const std::vector<ProbeSpec>& probes) {
   GivenRunsRead read;
   const ProbeColumns keys(probes);
   if (tables.size() > most_files)
     tables[most_files].refuse_value(
         "file", fmt::format("at most {} tables [[run]] are allowed, found {}", most_files, tables.size()));
-  for (TableReader& table : tables) {
+  const FilesOfRuns of_tables = files_of_runs(tables, names_of);
+  tables = of_tables.tables;
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    TableReader& table = tables[k];
     GivenRunSpec spec;
-    spec.file = table.text("file", "the path of a CSV or HDF5 file, relative to this one");
+    spec.file = of_tables.files[k];
     const bool name_given = table.has("name");
-    spec.name = name_given ? table.text("name", "a name") : std::filesystem::path(spec.file).stem().string();
+    spec.name = name_given                    ? table.text("name", "a name")
+                : of_tables.is_one_of_many[k] ? name_of_file(spec.file)
+                                              : std::filesystem::path(spec.file).stem().string();
     spec.program = table.optional_prose("program");
     const TableReader columns = table.table("columns"), units = table.table("units"),
                       tolerances = table.table("tolerances"), coverage = table.table("coverage");

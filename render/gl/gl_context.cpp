@@ -16,6 +16,7 @@
 #include "engine/base/errors.h"
 #include "render/gl/environment.h"
 #include "render/gl/gl.h"
+#include "render/gl/text.h"
 
 namespace plumb {
 
@@ -190,6 +191,7 @@ GlContext::GlContext(const GlBackendChoice& choice) {
     }
   }
   info_.version = reinterpret_cast<const char*>(gl_->GetString(GL_VERSION));
+  info_.font_library = font_library();
   GLint texture = 0;
   GLint renderbuffer = 0;
   GLint viewport[2] = {0, 0};

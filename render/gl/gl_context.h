@@ -14,13 +14,16 @@ struct GlInfo {
   std::string backend;  ///< "OSMesa", "EGL 1.5, device 0 of 1 (software)"
   std::string
       renderer;  ///< GL_RENDERER and how it uses the processor: "llvmpipe (LLVM 15.0.6, 256 bits), AVX2"
-  std::string version;  ///< GL_VERSION: "4.5 (Core Profile) Mesa 22.3.6"
-  int max_size = 0;     ///< greatest width or height of a picture after supersampling, pixels
-  int max_samples = 0;  ///< samples a pixel of a multisampled texture
+  std::string version;       ///< GL_VERSION: "4.5 (Core Profile) Mesa 22.3.6"
+  std::string font_library;  ///< that draws letters: "FreeType 2.12.1"
+  int max_size = 0;          ///< greatest width or height of a picture after supersampling, pixels
+  int max_samples = 0;       ///< samples a pixel of a multisampled texture
 
   /// Pictures drawn with the same fingerprint are the same to the byte: backend, renderer, the processor's
-  /// instructions, and version.
-  std::string fingerprint() const { return backend + "; " + renderer + "; OpenGL " + version; }
+  /// instructions, versions, and that of the letters.
+  std::string fingerprint() const {
+    return backend + "; " + renderer + "; OpenGL " + version + "; " + font_library;
+  }
 };
 
 /// An OpenGL core profile, 3.3 or above, without a display or a window. It belongs to the thread that uses

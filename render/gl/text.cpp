@@ -37,6 +37,15 @@ struct Placed {
 
 }  // namespace
 
+std::string font_library() {
+  FT_Library library = nullptr;
+  if (FT_Init_FreeType(&library) != 0) return "FreeType";
+  FT_Int major = 0, minor = 0, patch = 0;
+  FT_Library_Version(library, &major, &minor, &patch);
+  FT_Done_FreeType(library);
+  return fmt::format("FreeType {}.{}.{}", major, minor, patch);
+}
+
 class Font::Faces {
  public:
   Faces() {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,9 @@ class Font {
   class Faces;
   std::unique_ptr<Faces> faces_;
 };
+
+/// The library that draws letters, with its version: "FreeType 2.12.1".
+std::string font_library();
 
 /// A bitmap turned by 90° against the clock, to be read from the right: `left` and `base` are still the
 /// column and row of the pen's start.

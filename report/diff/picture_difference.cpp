@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/base/message.h"
 #include "render/image/apng_player.h"
 #include "render/image/png.h"
 
@@ -46,6 +47,16 @@ std::string difference_of_kind(const PngFile& a, const PngFile& b) {
                          other.delay_unit);
   }
   return {};
+}
+
+/// What drew two pictures, where that is not the same: only in what they differ. Empty: neither says it.
+std::string renderers_in_words(const std::optional<std::string>& a, const std::optional<std::string>& b) {
+  if (!a && !b) return "";
+  constexpr std::size_t longest = 200;
+  const auto shown = [](const std::optional<std::string>& one) {
+    return one ? one_line(*one).substr(0, longest) : std::string("what is not said");
+  };
+  return fmt::format("drawn by {} and by {}: ", shown(a), shown(b));
 }
 
 bool same_data(const PngFile& a, const std::vector<std::string_view>& data_of_a, const PngFile& b,
@@ -96,8 +107,9 @@ FileDifference compare_pictures(const std::string& a, const std::string& name_a,
   if (const std::string kind = difference_of_kind(first, second); !kind.empty())
     return {{}, Sameness::different, -1, kind, {}, {}, {}};
   const DifferenceTolerance defaults;
-  const auto drawn_by = text_in_png(a, renderer_keyword, name_a);
-  const bool same_renderer = drawn_by && drawn_by == text_in_png(b, renderer_keyword, name_b);
+  const auto drawn_by = text_in_png(a, renderer_keyword, name_a),
+             other_by = text_in_png(b, renderer_keyword, name_b);
+  const bool same_renderer = drawn_by && drawn_by == other_by;
   WorstDifference all(
       {options.channel.value_or(defaults.channel), options.density.value_or(defaults.density)},
       same_renderer && !options.channel && !options.density, options.pictures);
@@ -113,6 +125,8 @@ FileDifference compare_pictures(const std::string& a, const std::string& name_a,
     if (alone && same_data(first, frame.data, second, its.data)) continue;
     all.compare(first.frames.size() > 1 ? fmt::format("frame {}: ", k) : "", one.show(k), other.show(k));
   }
+  if (!same_renderer && all.result.sameness != Sameness::identical)
+    all.result.in_words = renderers_in_words(drawn_by, other_by) + all.result.in_words;
   return std::move(all.result);
 }
 

@@ -31,6 +31,7 @@ Json given_run_json(const LoadedCase& loaded, std::size_t k) {
             {"first_time", given.times.front()},
             {"last_time", given.times.back()},
             {"interpolated", interpolation_in_words(given.times.size())},
+            {"taken_for", given.taken_for},
             {"notes", given.notes},
             {"columns",
              {{"t", {{"file_column", given.time_column}, {"file_unit", given.time_unit}, {"unit", "s"}}}}}};

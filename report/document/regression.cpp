@@ -1,12 +1,14 @@
 #include "report/document/regression.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
+#include "engine/run/rounding_reach.h"
 #include "render/image/image_difference.h"
 #include "report/document/case_json.h"
 
@@ -46,6 +48,56 @@ Verdict move_verdict(const ProbeMove& move, double share) {
   else
     verdict.detail = fmt::format("moved by {:.3g} {} at {:.4g} s", move.greatest, move.unit, move.time);
   verdict.message = fmt::format("{:.3g} of {:.3g} allowed, {}", verdict.value, share, verdict.detail);
+  return verdict;
+}
+
+/// A column that moved by more than its share, where the baseline was rounded otherwise; what cannot be
+/// compared of it joins `not_compared`.
+Verdict move_verdict(const ProbeMove& move, double share, const Document& before, const Document& now,
+                     const std::vector<double>& reach, const std::string& what_rounds,
+                     std::vector<std::string>& not_compared) {
+  constexpr double tells_nothing = 0.01;  // of the largest value
+  Verdict verdict = move_verdict(move, share);
+  const auto values = [&](const Document& document, const std::string& column) -> const Document& {
+    return document.at("probes").at(column).at("values");
+  };
+  const Document &old_values = values(before, move.column), &new_values = values(now, move.column),
+                 &times = values(now, "t");
+  const auto number = [](const Document& value) { return value.is_number() ? value.get<double>() : NAN; };
+  double worst = -1, allowed = share, horizon = -1;
+  for (std::size_t k = 0; k < std::min(reach.size(), times.size()); ++k) {
+    if (!(reach[k] <= tells_nothing * move.largest)) {
+      horizon = number(times[k]);
+      break;
+    }
+    const double found = std::abs(number(new_values[k]) - number(old_values[k])) / move.largest;
+    const double bound = std::max(share, reach[k] / move.largest);
+    if (worst >= 0 && !(found / bound > worst / allowed) && !std::isnan(found)) continue;
+    worst = found;
+    allowed = bound;
+    if (std::isnan(found)) break;
+  }
+  if (horizon >= 0)
+    not_compared.push_back(
+        fmt::format("{} from {:.4g} s on, where a rounding is all that it tells", move.column, horizon));
+  const std::string other = fmt::format("made with another {}", what_rounds);
+  if (worst == -1) {
+    verdict.status = VerdictStatus::not_run;
+    verdict.value = -1;
+    verdict.detail = verdict.message = "not comparable here: the baseline was " + other;
+    return verdict;
+  }
+  verdict.value = worst;
+  verdict.limit = allowed;
+  verdict.status = within(worst, allowed) ? VerdictStatus::passed : VerdictStatus::failed;
+  verdict.criterion =
+      fmt::format("max |now − baseline| of {} ≤ what {:g} roundings make of it", move.column, roundings);
+  verdict.reason = "A baseline of another compiler, processor or system is rounded otherwise.";
+  verdict.detail =
+      fmt::format("moved by {:.3g} of its largest, where {:.3g} is what another rounding may make; {}", worst,
+                  allowed, other);
+  if (horizon >= 0) verdict.detail += fmt::format("; not comparable here from {:.4g} s on", horizon);
+  verdict.message = verdict.detail;
   return verdict;
 }
 
@@ -143,12 +195,37 @@ void refuse_other_case(const Document& baseline, const std::string& path, const 
   throw InputError(fmt::format("{}: the baseline is of another case: {}", path, text));
 }
 
+std::string rounds_otherwise(const Document& baseline, const Document& now) {
+  std::string what;
+  for (const char* key :
+       {"compiler", "flags", "libraries at build", "SUNDIALS at run time", "processor", "system"})
+    if (baseline.at("provenance").value(key, "") != now.at("provenance").value(key, ""))
+      what += (what.empty() ? "" : ", ") + std::string(key);
+  return what;
+}
+
 void hold_against_baseline(Document& document, const Document& baseline, const std::string& path,
-                           double share, const std::vector<PictureMove>& pictures) {
+                           double share, const std::vector<PictureMove>& pictures, const ProbeTable& reach) {
   refuse_other_case(baseline, path, document.at("case"));
   std::vector<Verdict> verdicts;
-  for (const ProbeMove& move : probe_moves(baseline, document)) verdicts.push_back(move_verdict(move, share));
-  for (const PictureMove& move : pictures) verdicts.push_back(picture_verdict(move));
+  std::vector<std::string> not_compared;
+  for (const ProbeMove& move : probe_moves(baseline, document)) {
+    const auto own = std::find_if(reach.columns.begin(), reach.columns.end(),
+                                  [&](const Column& column) { return column.name == move.column; });
+    const bool moved =
+        move.unlike.empty() && move.largest > 0 && !within(move.greatest / move.largest, share);
+    verdicts.push_back(moved && own != reach.columns.end()
+                           ? move_verdict(move, share, baseline, document, own->values,
+                                          rounds_otherwise(baseline, document), not_compared)
+                           : move_verdict(move, share));
+  }
+  const bool beyond_horizon = !not_compared.empty();
+  for (const PictureMove& move : pictures)
+    if (beyond_horizon && move.moved)
+      not_compared.push_back(move.file + ", which shows what is not comparable");
+    else
+      verdicts.push_back(picture_verdict(move));
+  if (pictures.empty()) not_compared.emplace_back("pictures, none of which lie beside the baseline");
   if (verdicts.empty()) verdicts.push_back(nothing_compared());
   if (sum_in(baseline) == DocumentSum::wrong) verdicts.push_back(changed_baseline());
   if (auto kept = kept_verdict(verdicts_of(baseline), verdicts_of(document)))
@@ -156,12 +233,15 @@ void hold_against_baseline(Document& document, const Document& baseline, const s
   for (const Verdict& verdict : verdicts) document["verdicts"].push_back(verdict_json(verdict));
   document["baseline"] = {{"folder", path},
                           {"made_at", baseline.at("provenance").value("made at", "")},
+                          {"not_compared", not_compared},
                           {"changes", changes_between(baseline, document)}};
   const long unmet = std::ssize(verdicts) - count_of(verdicts, VerdictStatus::passed);
   std::string headline = document.at("headline").get<std::string>();
-  headline += unmet == 0 ? " Nothing moved since the baseline."
+  headline += unmet == 0 ? (not_compared.empty() ? " Nothing moved since the baseline."
+                                                 : " Nothing that was compared moved since the baseline.")
                          : fmt::format(" Since the baseline {} of {} criteria of regression are not met.",
                                        unmet, verdicts.size());
+  if (!not_compared.empty()) headline += fmt::format(" Not compared: {}.", fmt::join(not_compared, "; "));
   document["headline"] = headline;
   if (unmet > 0) document["all_criteria_met"] = false;
 }

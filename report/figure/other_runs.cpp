@@ -36,13 +36,21 @@ void check_drawable(const std::string& path, const Trajectory& trajectory) {
 
 }  // namespace
 
+std::vector<std::string> labels_of_runs(const std::vector<std::string>& paths) {
+  std::map<std::string, int> names;
+  for (const std::string& path : paths) ++names[short_name(path)];
+  std::vector<std::string> labels;
+  for (const std::string& path : paths)
+    labels.push_back(names[short_name(path)] == 1 ? short_name(path) : path);
+  return labels;
+}
+
 void add_other_runs(SceneInput& scene, const std::string& path, const Trajectory& motion,
                     const std::vector<OtherRun>& others) {
   if (others.empty()) return;
   check_drawable(path, motion);
   const double end = motion.times.back();
-  std::map<std::string, int> names;
-  ++names[short_name(path)];
+  std::vector<std::string> paths{path};
   for (const OtherRun& other : others) {
     check_drawable(other.path, other.run.trajectory);
     const double other_end = other.run.trajectory.times.back();
@@ -50,17 +58,15 @@ void add_other_runs(SceneInput& scene, const std::string& path, const Trajectory
       throw InputError(
           fmt::format("{}: ends at {:.10g} s, but {} at {:.10g} s: runs of one scene must end together",
                       other.path, other_end, path, end));
-    ++names[short_name(other.path)];
+    paths.push_back(other.path);
   }
-  const auto label = [&](const std::string& named) {
-    const std::string name = short_name(named);
-    return names[name] == 1 ? name : named;
-  };
-  scene.label = label(path);
+  const std::vector<std::string> labels = labels_of_runs(paths);
+  scene.label = labels.front();
   const ViewAxes axes = view_axes(motion, scene);
   double side = reach_along(motion, axes.right);
-  for (const OtherRun& other : others) {
-    SceneRun shown = scene_run(other.run.loaded.spec, other.run.trajectory, label(other.path));
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const OtherRun& other = others[k];
+    SceneRun shown = scene_run(other.run.loaded.spec, other.run.trajectory, labels[k + 1]);
     if (other.beside) side = put_beside(shown, axes.right, side);
     scene.others.push_back(std::move(shown));
   }

@@ -59,6 +59,8 @@ std::string given_runs_html(const Document& document) {
     run["outputs"] = std::to_string(given.at("outputs").get<long>());
     run["first_time"] = four_digits(given.at("first_time"));
     run["last_time"] = four_digits(given.at("last_time"));
+    // Documents of earlier versions do not have it.
+    run["taken_for"] = given.contains("taken_for") ? text_of(given, "taken_for") : "";
     run["interpolated"] = text_of(given, "interpolated");
     data notes{data::type::list};
     for (const Document& note : given.at("notes")) notes.push_back(data{"note", note.get<std::string>()});

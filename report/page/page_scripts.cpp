@@ -55,6 +55,7 @@ std::string html_page(const std::string& title, std::string_view css, const std:
   kainjow::mustache::data page;
   page["title"] = title;
   page["script_policy"] = policy;
+  page["has_scripts"] = !scripts.empty();
   page["css"] = std::string(page_css).append(css);
   page["body"] = body;
   page["scripts"] = elements;

@@ -30,10 +30,11 @@ ExitStatus do_check(const Options& options, Console& console) {
                            counted(criteria, "criterion", "criteria")));
   for (std::size_t k = 0; k < spec.given_runs.size(); ++k) {
     const GivenRun& given = loaded.given_runs[k];
-    console.line(fmt::format("{}: {} of {}, {} from {:.4g} to {:.4g} s", spec.given_runs[k].name,
+    console.line(fmt::format("{}: {} of {}, {}, {} from {:.4g} to {:.4g} s", spec.given_runs[k].name,
                              counted(std::ssize(given.columns), "column", "columns"),
-                             computed_by(spec.given_runs[k]), counted(std::ssize(given.times), "row", "rows"),
-                             given.times.front(), given.times.back()));
+                             computed_by(spec.given_runs[k]), given.taken_for,
+                             counted(std::ssize(given.times), "row", "rows"), given.times.front(),
+                             given.times.back()));
   }
   const Estimate made = check_estimate(spec, work_of_run(spec), loaded.source.file.name,
                                        output_path(options, loaded), options, console);

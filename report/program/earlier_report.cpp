@@ -1,8 +1,10 @@
 #include "report/program/earlier_report.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "engine/base/errors.h"
+#include "engine/run/rounding_reach.h"
 #include "report/diff/picture_moves.h"
 #include "report/document/regression.h"
 
@@ -52,8 +54,8 @@ Document find_baseline(const std::string& path) {
   return baseline;
 }
 
-void hold_against_earlier(Document& document, const Pictures& pictures, const Options& options,
-                          const std::string& folder) {
+void hold_against_earlier(Document& document, const Run& run, const Pictures& pictures,
+                          const Options& options, const std::string& folder) {
   std::error_code ignored;
   if (fs::exists(fs::path(folder) / "results.json", ignored)) {
     try {
@@ -67,9 +69,16 @@ void hold_against_earlier(Document& document, const Pictures& pictures, const Op
   }
   if (options.baseline.empty()) return;
   const Document baseline = find_baseline(options.baseline);
-  hold_against_baseline(document, baseline, options.baseline,
-                        options.numbers.value_or(default_regression_share),
-                        moves_since(baseline, options.baseline, pictures.figures));
+  const double share = options.numbers.value_or(default_regression_share);
+  ProbeTable reach;
+  const std::vector<ProbeMove> moves = probe_moves(baseline, document);
+  const bool moved = std::any_of(moves.begin(), moves.end(), [&](const ProbeMove& move) {
+    return move.unlike.empty() && !(move.greatest <= share * move.largest);
+  });
+  if (moved && !reports_given_run(run.loaded.spec) && !rounds_otherwise(baseline, document).empty())
+    reach = rounding_reach(run.loaded.spec, run.probes);
+  hold_against_baseline(document, baseline, options.baseline, share,
+                        moves_since(baseline, options.baseline, pictures.figures), reach);
 }
 
 }  // namespace plumb

@@ -16,8 +16,9 @@ Document find_baseline(const std::string& path);
 
 /// Adds what moved since earlier reports: with --baseline verdicts of regression, and always, under
 /// `last_run`, what changed from the report that lies in `folder` now, if one does that can be read. Throws
-/// InputError for a baseline that cannot be used.
-void hold_against_earlier(Document& document, const Pictures& pictures, const Options& options,
-                          const std::string& folder);
+/// InputError for a baseline that cannot be used. Where a baseline that was rounded otherwise moved, the run
+/// is made once more, to tell what a rounding does to it.
+void hold_against_earlier(Document& document, const Run& run, const Pictures& pictures,
+                          const Options& options, const std::string& folder);
 
 }  // namespace plumb

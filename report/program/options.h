@@ -45,6 +45,7 @@ struct Options {
   bool economy = false;                ///< --economy
   bool explain = false;                ///< --explain
   std::string from;                    ///< of --from; empty: not given
+  std::string to;                      ///< of --to; empty: not given
   bool accept = false;                 ///< --accept
   std::vector<std::string> limits;     ///< of --limit
   std::string history;                 ///< of --history; empty: not given

@@ -23,6 +23,7 @@
 #include "engine/study/job_workers.h"
 #include "render/gl/environment.h"
 #include "report/base/stages.h"
+#include "report/exports/export_formats.h"
 #include "report/program/command_line_texts.h"
 #include "report/program/installed_cases.h"
 #include "report/program/limits.h"
@@ -192,14 +193,18 @@ void add_shares(const Verb& verb, CLI::App& command, Options& options) {
 
 void add_input(const Verb& verb, CLI::App& command, Options& options) {
   const std::string meaning =
-      verb.input != "CASE" ? "run.h5, study.h5 or study.json, or its folder"
-      : verb.takes_many    ? "case file (TOML), folder of such, or the name of one that came with the program"
-                           : "case file (TOML)";
+      verb.exports           ? "run.h5, or its folder"
+      : verb.input != "CASE" ? "run.h5, study.h5 or study.json, or its folder"
+      : verb.takes_many ? "case file (TOML), folder of such, or the name of one that came with the program"
+                        : "case file (TOML)";
   if (!verb.takes_many) {
     command.add_option(verb.input, options.input, meaning)->required()->type_name("");
     return;
   }
-  command.add_option(verb.input, options.inputs, meaning + "; several make an index over their reports")
+  command
+      .add_option(verb.input, options.inputs,
+                  meaning + (verb.exports ? "; several stand in one file"
+                                          : "; several make an index over their reports"))
       ->required(!verb.takes_document)
       ->type_name("");
 }
@@ -254,7 +259,9 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
     command
         ->add_option(
             "-o,--output", options.output,
-            verb.input == "CASE"
+            verb.exports
+                ? "the file, or of a format of many files the folder; default: in the folder of the run"
+            : verb.input == "CASE"
                 ? verb.takes_many
                       ? "output folder; default: output/ and the name of the case file or folder; for "
                         "several "
@@ -263,7 +270,13 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
             : verb.draws ? "output folder, or - for the frames alone, as PNG files one after another "
                            "on standard output; default: that of the run"
                          : "output folder; default: that of the run")
-        ->type_name("DIR");
+        ->type_name(verb.exports ? "FILE" : "DIR");
+  if (verb.exports) {
+    std::string formats;
+    for (const ExportFormat& format : export_formats())
+      formats += fmt::format("{}{}: {}", formats.empty() ? "" : "; ", format.name, format.summary);
+    command->add_option("--to", options.to, formats)->required()->type_name("FORMAT");
+  }
   if (verb.takes_csv)
     command
         ->add_option("--csv", options.csv,

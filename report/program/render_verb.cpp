@@ -7,6 +7,7 @@
 #include "engine/base/file_writing.h"
 #include "engine/base/job.h"
 #include "report/document/report_formats.h"
+#include "report/exports/export_formats.h"
 #include "report/figure/scene_of_run.h"
 #include "report/program/drawing_options.h"
 #include "report/program/limits.h"
@@ -81,6 +82,7 @@ ExitStatus do_render(const Options& options, Console& console) {
   write_run(run, folder);
   for (const ReportFormat& format : report_formats()) folder.keep(std::string(format.file));
   for (const char* beside : {"index.html", "study.h5", "assessment.json", "choice.json"}) folder.keep(beside);
+  keep_exports(folder);
   DrawingTools tools;
   const Pictures pictures = draw_pictures(run, scene, frames, tools, folder, stages, console);
   if (video) {

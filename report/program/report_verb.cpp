@@ -2,6 +2,7 @@
 
 #include "engine/base/document_sum.h"
 #include "engine/base/errors.h"
+#include "report/exports/export_formats.h"
 #include "report/figure/scene_of_run.h"
 #include "report/program/history_file.h"
 #include "report/program/limits.h"
@@ -51,6 +52,7 @@ ExitStatus do_report(const Options& options, Console& console) {
     refuse_to_overwrite("--history", options.history, source_files(options.input), folder.path());
   note_renderer(run, try_drawing());
   write_run(run, folder);
+  keep_exports(folder);
   const std::vector<RunSection> sections = sections_beside(options.input, run, folder);
   return draw_and_report(run, sections, folder, stages, options, console);
 }

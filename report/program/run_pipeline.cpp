@@ -10,6 +10,7 @@
 #include "engine/integrate/integrate.h"
 #include "engine/read/given_probes.h"
 #include "engine/run/mode_table.h"
+#include "engine/run/plausibility.h"
 #include "engine/run/run_file.h"
 #include "report/document/given_json.h"
 #include "report/figure/run_figures.h"
@@ -64,6 +65,7 @@ LoadedCase load(const Options& options, Console& console, const SectionUse& uses
   LoadedCase loaded = load_case(options.input, options.overrides, uses);
   refuse_names_of_run_figures(loaded);
   for (const std::string& remark : loaded.remarks) console.remark(remark);
+  for (const std::string& remark : implausible_inputs(loaded.spec)) console.remark(remark);
   return loaded;
 }
 
@@ -108,6 +110,8 @@ Run solve(const LoadedCase& loaded, Console& console) {
       !cuts.empty())
     console.line("its step was " + cuts);
   if (const std::string remark = trajectory.remark(); !remark.empty()) console.line(remark);
+  for (const auto& find : {implausible_stress, held_back_by_stability})
+    if (const std::string remark = find(loaded.spec, trajectory); !remark.empty()) console.remark(remark);
   if (trajectory.outcome != Outcome::completed)
     console.line(console.bad(std::string(word(trajectory.outcome))) + ": " + trajectory.message);
   return {loaded, std::move(trajectory), std::move(probes), provenance_now(), std::move(modes)};
@@ -197,7 +201,7 @@ ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sectio
   }
   if (begun != nullptr) stages.add_beside(begun->stages());
   Document document = document_of(evaluate(run, stages, sections), pictures);
-  hold_against_earlier(document, pictures, options, folder.path());
+  hold_against_earlier(document, run, pictures, options, folder.path());
   if (!options.history.empty()) add_history(document, options.history);
   stages.begin("report");
   write_report(document, pictures, page_sections(), folder);

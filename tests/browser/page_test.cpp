@@ -566,6 +566,7 @@ TEST_F(PageInBrowser, IndexFindsReportsByTextAndStatusAndShowsTheirComparisons) 
   open("index/index.html");
   EXPECT_EQ(count(".verdict-group tr[data-status]"), all.second) << "without scripts";
   EXPECT_EQ(count(".filter-bar"), 0);
+  EXPECT_NE(text_of("noscript").find("Scripts are off here"), std::string::npos) << text_of("noscript");
 }
 
 TEST_F(PageInBrowser, HasNothingThatAxeFinds) {

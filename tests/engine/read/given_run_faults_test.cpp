@@ -126,8 +126,7 @@ TEST(GivenRunFaults, RowsAndHeadersThatDoNotFitAreRefused) {
        "chrono.csv:1:1: \"0\" is a number where the header must be: the first line must name the columns"},
       {"# t,tip.y\n0,1\n2,3\n", "",
        "chrono.csv:2:1: \"0\" is a number where the header must be: the first line must name the columns "
-       "(lines "
-       "that begin with # are passed over)"},
+       "(lines that begin with #, %, ! or // are passed over)"},
       {"\n\n", "", "chrono.csv: has no header: the first line must name the columns"},
       {"", "", "case.toml:…run.0.file = \"chrono.csv\": is empty"},
       {"t,\"tip.y\n0,0\n", "", "chrono.csv:1:3: a quote is not closed"},

@@ -679,6 +679,21 @@ TEST(Diff, OneRendererMustGiveTheSameBytesUnlessATolerance) {
   EXPECT_FALSE(shown.first.empty() || shown.second.empty() || shown.marks.empty());
 }
 
+TEST(Diff, WhatDrewTwoPicturesIsSaidBeforeTheirPixels) {
+  const auto picture = [](std::uint8_t level, const PngTexts& texts) {
+    return encode_png(Image{2, 2, std::vector<std::uint8_t>(12, level)}, texts);
+  };
+  const std::string before = picture(100, {{renderer_keyword, "Mesa 1; FreeType 1"}});
+  const auto words = [&](const std::string& now) { return compare_files("a.png", before, now, {}).in_words; };
+  EXPECT_TRUE(words(picture(200, {{renderer_keyword, "Mesa 1; FreeType 2"}}))
+                  .starts_with("drawn by Mesa 1; FreeType 1 and by Mesa 1; FreeType 2: 4 pixels differ"))
+      << words(picture(200, {{renderer_keyword, "Mesa 1; FreeType 2"}}));
+  EXPECT_TRUE(words(picture(200, {})).starts_with("drawn by Mesa 1; FreeType 1 and by what is not said: "))
+      << words(picture(200, {}));
+  EXPECT_TRUE(words(picture(200, {{renderer_keyword, "Mesa 1; FreeType 1"}})).starts_with("4 pixels"))
+      << words(picture(200, {{renderer_keyword, "Mesa 1; FreeType 1"}}));
+}
+
 TEST(Diff, TheWorstFrameIsTold) {
   const MadeAnimation base{.pixels = {"abc", "abc", "abc"}, .frames = {{2, 2}, {2, 2}, {2, 2}}};
   MadeAnimation all_then_half = base, half_then_all = base;

@@ -168,7 +168,9 @@ TEST_P(Changed, IsNeverNoMove) {
       << row.sentence << ": " << verdict;
   const bool same = std::string(row.status) == "passed";
   EXPECT_EQ(document.at("all_criteria_met").get<bool>(), same) << row.sentence;
-  EXPECT_EQ(document.at("headline").get<std::string>().find("Nothing moved") != std::string::npos, same)
+  EXPECT_EQ(
+      document.at("headline").get<std::string>().find("Nothing that was compared moved") != std::string::npos,
+      same)
       << row.sentence << ": " << document.at("headline");
 }
 
@@ -305,6 +307,79 @@ TEST(Regression, APictureOutsideOfTheBaselineIsNotRead) {
   }
 }
 
+/// What another rounding may do to each column: as much from the start on, or much from output `from` on.
+ProbeTable reach_of(const Document& document, double share, std::size_t from = 1000) {
+  ProbeTable reach;
+  for (const auto& [name, column] : document.at("probes").items()) {
+    if (name == "t") continue;
+    double largest = 0;
+    for (const Json& value : column.at("values")) largest = std::max(largest, std::abs(value.get<double>()));
+    Column one{name, "m", {}};
+    for (std::size_t k = 0; k < column.at("values").size(); ++k)
+      one.values.push_back(k < from ? share * largest : largest);
+    reach.columns.push_back(one);
+  }
+  return reach;
+}
+
+TEST(Regression, ABaselineOfAnotherCompilerMayMoveByWhatARoundingDoes) {
+  Document before = document_with(0);
+  before["provenance"]["compiler"] = "another 1.0";
+  for (const auto& [share, status] : {std::pair{2e-3, "passed"}, {1e-6, "failed"}}) {
+    Document document = document_with(1e-3);
+    hold_against_baseline(document, before, "first", default_regression_share, {}, reach_of(before, share));
+    const Json verdict = verdict_named(document, "baseline: tip.x");
+    EXPECT_EQ(verdict.at("status"), status) << verdict;
+    EXPECT_NE(verdict.at("message").get<std::string>().find("made with another compiler"), std::string::npos)
+        << verdict;
+  }
+}
+
+TEST(Regression, PastTheHorizonNothingIsComparableAndNothingRegressed) {
+  Document before = document_with(0);
+  before["provenance"]["processor"] = "another";
+  Document document = document_with(0);
+  Json& values = document["probes"]["tip.x"]["values"];
+  const std::size_t last = values.size() - 1;
+  values[last] = values[last].get<double>() + 0.5;
+  const PictureMove picture{"figures/a.png", true, 0.5, "differs"};
+  hold_against_baseline(document, before, "first", default_regression_share, {picture},
+                        reach_of(before, 1e-9, last));
+  const Json verdict = verdict_named(document, "baseline: tip.x");
+  EXPECT_EQ(verdict.at("status"), "passed") << verdict;
+  EXPECT_NE(verdict.at("message").get<std::string>().find("not comparable here from"), std::string::npos)
+      << verdict;
+  const std::string not_compared = document.at("baseline").at("not_compared").dump();
+  EXPECT_NE(not_compared.find("tip.x from"), std::string::npos) << not_compared;
+  EXPECT_NE(not_compared.find("figures/a.png"), std::string::npos) << not_compared;
+  EXPECT_NE(document.at("headline").get<std::string>().find("Not compared: tip.x from"), std::string::npos)
+      << document.at("headline");
+  // Before the horizon a move is one.
+  values[last - 1] = values[last - 1].get<double>() + 0.5;
+  document["verdicts"] = Json::array();
+  hold_against_baseline(document, before, "first", default_regression_share, {},
+                        reach_of(before, 1e-9, last));
+  EXPECT_EQ(verdict_named(document, "baseline: tip.x").at("status"), "failed");
+}
+
+TEST(Regression, ABaselineWithoutPicturesSaysThatNoneWereCompared) {
+  Document document = document_with(0);
+  hold_against_baseline(document, document_with(0), "first", default_regression_share);
+  EXPECT_NE(document.at("headline").get<std::string>().find("Not compared: pictures"), std::string::npos)
+      << document.at("headline");
+}
+
+TEST(Regression, OnlyWhatRoundsIsAnotherMachine) {
+  const Document now = document_with(0);
+  Document before = now;
+  before["provenance"]["made at"] = "earlier";
+  before["provenance"]["revision"] = "another";
+  EXPECT_EQ(rounds_otherwise(before, now), "");
+  before["provenance"]["compiler"] = "another";
+  before["provenance"]["system"] = "another";
+  EXPECT_EQ(rounds_otherwise(before, now), "compiler, system");
+}
+
 TEST(Regression, NeverChangesTheOutcome) {
   Document document = document_with(1e-3);
   const std::string outcome = document.at("outcome");
@@ -431,7 +506,8 @@ TEST_F(Baseline, OfTheSameCaseIsMetWithItsPicturesOrAsNumbersAlone) {
             "passed");
   write_text(folder_ / "kept/results.json", read_text(folder_ / "first/results.json"));
   const Ended numbers = run("again", {"--baseline", "kept/results.json"});
-  EXPECT_NE(numbers.out.find("Nothing moved since the baseline."), std::string::npos) << numbers.out;
+  EXPECT_NE(numbers.out.find("Nothing that was compared moved since the baseline."), std::string::npos)
+      << numbers.out;
 }
 
 TEST_F(Baseline, ThatWasChangedVouchesForNothingUnlessItSaysThatItWas) {
@@ -441,14 +517,15 @@ TEST_F(Baseline, ThatWasChangedVouchesForNothingUnlessItSaysThatItWas) {
   write_text(folder_ / "kept/results.json", earlier.dump());
   const Ended changed = run("again", {"--baseline", "kept/results.json"});
   EXPECT_EQ(changed.status, 1) << changed.out << changed.err;
-  EXPECT_EQ(changed.out.find("Nothing moved"), std::string::npos) << changed.out;
+  EXPECT_EQ(changed.out.find("moved since the baseline"), std::string::npos) << changed.out;
   EXPECT_NE(changed.out.find("it was changed after it was written; without its key check_sum"),
             std::string::npos)
       << changed.out;
   earlier.erase("check_sum");
   write_text(folder_ / "kept/results.json", earlier.dump());
   const Ended said = run("again", {"--baseline", "kept/results.json"});
-  EXPECT_NE(said.out.find("Nothing moved since the baseline."), std::string::npos) << said.out << said.err;
+  EXPECT_NE(said.out.find("Nothing that was compared moved since the baseline."), std::string::npos)
+      << said.out << said.err;
 }
 
 TEST_F(Baseline, IsRefusedBeforeAnyWork) {

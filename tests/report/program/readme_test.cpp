@@ -22,7 +22,7 @@ TEST(Readme, TableOfMethodsSaysWhatTheProgramSays) {
 
 TEST(Readme, NamesEveryVerbOfTheProgram) {
   const std::string readme = read_text(fs::path(PLUMB_SOURCE_DIR) / "README.md");
-  for (const char* verb : {"run", "solve", "render", "report", "study", "check", "doctor"})
+  for (const char* verb : {"run", "solve", "render", "report", "study", "check", "diff", "export", "doctor"})
     EXPECT_NE(readme.find(fmt::format("| `plumb {}", verb)), readme.npos) << verb;
 }
 
