@@ -123,7 +123,7 @@ expect() {
 
 cd "$folder"
 case=$folder/random_sweep.toml
-sed 's/^cases = .*/cases = 60/; s/^seed = 1/seed = 3/; s/^time_limit = .*/time_limit = 60/' \
+sed 's/^cases = .*/cases = 40/; s/^seed = 1/seed = 3/; s/^time_limit = .*/time_limit = 60/' \
   "$cluster/../failure/random_sweep.toml" >"$case"
 echo "== one machine"
 "$PLUMB" study "$case" sweep -o one | tail -n 1
@@ -147,6 +147,7 @@ echo "cancelled: share 8 before it began, share $share with $had points at a run
 finished "$merge"
 expect "exit status of the merge" "$(exit_code "$merge")" 3
 cat "slurm/job-$merge.log"
+expect "points listed" "$(grep -c '"missing"' slurm/study.missing.jsonl)" "$(grep -o '^plumb: [0-9]* of' "slurm/job-$merge.log" | tr -dc 0-9)"
 said=$(submit)
 echo "$said"
 merge=${said##* }
