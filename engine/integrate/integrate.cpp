@@ -8,6 +8,7 @@
 
 #include "engine/base/interrupt.h"
 #include "engine/integrate/advice.h"
+#include "engine/integrate/cost_forecast.h"
 #include "engine/integrate/monitor.h"
 #include "engine/integrate/processor_time.h"
 #include "engine/integrate/symmetric_motion.h"
@@ -233,7 +234,7 @@ std::string describe(const StepResult& result, const MethodSpec& method, double 
 }
 
 Trajectory run(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
-               const Progress& progress, double time_limit) {
+               const Progress& progress, const TimeLimit& limit) {
   Trajectory result;
   result.elements = cable.elements();
   result.element_length = cable.element().length();
@@ -266,6 +267,8 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
+  std::optional<CostForecast> forecast;
+  if (limit.foresees && own_method.step && dynamic && !timeless) forecast.emplace(end, limit.seconds);
   const std::unique_ptr<Method> integrator = make_method(own_method, dynamics, own_start);
   StepResult last = monitor.check(ground_start);
   // A start that is not even finite has nothing to show.
@@ -321,13 +324,26 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
     if (next < outputs.size() && (look || work > work_between_clocks)) {
       evaluations_at_clock = dynamics.counters.force_evaluations;
       // The clock is cheaper to ask, and never behind.
-      if (elapsed() > time_limit && processor_seconds() - processor_started > time_limit) {
-        last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", time_limit), -1};
-        failed_step = dynamics.counters.steps;
+      const double passed = elapsed();
+      const bool due = forecast && passed >= forecast->due();
+      const double used = due || passed > limit.seconds ? processor_seconds() - processor_started : 0;
+      const auto foreseen = due ? forecast->too_long(now.t, used) : std::nullopt;
+      if (used > limit.seconds) {
+        last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", limit.seconds), -1};
+      } else if (foreseen) {
+        result.foreseen_seconds = *foreseen;
+        last = {
+            Outcome::out_of_time,
+            fmt::format("the time allowed, {:g} s, would not do: it took {:.2g} s for {:.2g} % of the run, "
+                        "from which {:.2g} s were predicted for all of it",
+                        limit.seconds, used, 100 * now.t / end, *foreseen),
+            -1};
       }
+      if (!last.ok()) failed_step = dynamics.counters.steps;
     }
   }
   result.solve_seconds = elapsed();
+  result.processor_seconds = processor_seconds() - processor_started;
   if (last.ok()) {
     last = integrator->conclusion();
     failed_step = dynamics.counters.steps;
@@ -398,21 +414,21 @@ std::vector<double> output_times(const TimeSpec& time) {
   return times;
 }
 
-Trajectory integrate(const Case& spec, const Progress& progress, double time_limit) {
+Trajectory integrate(const Case& spec, const Progress& progress, TimeLimit limit) {
   const Cable cable(spec);
   const State start{0, cable.start_q(spec.start), cable.start_v(spec.start)};
-  return integrate(cable, start, spec.method, spec.time, progress, time_limit);
+  return integrate(cable, start, spec.method, spec.time, progress, limit);
 }
 
 Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
-                     const Progress& progress, double time_limit) {
-  Trajectory result = run(cable, start, method, time, progress, time_limit);
+                     const Progress& progress, TimeLimit limit) {
+  Trajectory result = run(cable, start, method, time, progress, limit);
   const MethodInfo* info = find_method(method.name);
   if (info != nullptr && info->dynamic) result.unstable_since = unstable_since(cable, result);
   if (result.outcome == Outcome::completed) return result;
   // A run whose time is limited is one of many, and has none for others.
   const Attempt attempt =
-      time_limit == no_time_limit ? Attempt(Attempts(cable, start, time, result)) : Attempt();
+      limit.seconds == no_time_limit ? Attempt(Attempts(cable, start, time, result)) : Attempt();
   if (const std::string help = advice(cable, start, result, method, result.outcome, attempt); !help.empty())
     result.message += "; what would help: " + help;
   return result;

@@ -15,16 +15,26 @@ using Progress = std::function<void(double)>;
 
 inline constexpr double no_time_limit = std::numeric_limits<double>::infinity();
 
+/// How long a time loop may take.
+struct TimeLimit {
+  TimeLimit(double allowed, bool ends_early = false) : seconds(allowed), foresees(ends_early) {}
+
+  double seconds;  ///< of the processor
+  /// A run with a fixed step ends as soon as it is foreseen to take far longer (CostForecast). Not for runs
+  /// of which it matters how they would have gone on.
+  bool foresees;
+};
+
 /// The output times of a run: 0, every multiple of the interval, and the end.
 std::vector<double> output_times(const TimeSpec& time);
 
 /// Integrates the cable of a case from its start. A failure of the method is an outcome, with what was
-/// computed up to then kept; so is a time loop of more than `time_limit` seconds of the processor, which are
-/// looked at every few steps, and after each one that takes long. Throws Interrupted if the user stops it.
-Trajectory integrate(const Case& spec, const Progress& progress = {}, double time_limit = no_time_limit);
+/// computed up to then kept; so is a time loop of more than `limit`, at which is looked every few steps, and
+/// after each one that takes long. Throws Interrupted if the user stops it.
+Trajectory integrate(const Case& spec, const Progress& progress = {}, TimeLimit limit = no_time_limit);
 
 /// The same for any cable and start, e.g. a start that no case describes.
 Trajectory integrate(const Cable& cable, const State& start, const MethodSpec& method, const TimeSpec& time,
-                     const Progress& progress = {}, double time_limit = no_time_limit);
+                     const Progress& progress = {}, TimeLimit limit = no_time_limit);
 
 }  // namespace plumb

@@ -192,7 +192,13 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
   put(name, bytes);
 }
 
+bool OutputFolder::holds(const std::string& name) const {
+  const std::lock_guard lock(writing_);
+  return part_ != nullptr && written_.contains(name);
+}
+
 void OutputFolder::put(const std::string& name, std::string_view bytes) {
+  const std::lock_guard lock(writing_);
   const std::string place = std::string(folder_made) + "/";
   Descriptor file = part_->create(place + name);
   if (!file) fail(name, errno);
@@ -210,6 +216,7 @@ void OutputFolder::put(const std::string& name, std::string_view bytes) {
 }
 
 std::string OutputFolder::read(const std::string& name) const {
+  const std::lock_guard lock(writing_);
   const auto file = written_.find(name);
   const std::optional<std::string> bytes =
       file != written_.end() ? bytes_of(made_.get(), name, file->second) : std::nullopt;

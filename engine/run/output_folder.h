@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,7 +42,7 @@ void clear_leftovers_of(const std::string& path, const std::function<void(const 
 /// both until that is done.
 ///
 /// Nothing that is not ours is ever replaced or removed: of what is there only files that manifest.json lists
-/// and that still are what it says.
+/// and that still are what it says. Files may be written from several threads.
 class OutputFolder {
  public:
   /// Links to the folder are followed, none in it. Throws OutputError, before anything is done: if `path` is
@@ -62,7 +63,7 @@ class OutputFolder {
   void write(const std::string& name, std::string_view bytes);
 
   /// Whether a file was written and is still to be put in place.
-  bool holds(const std::string& name) const { return part_ != nullptr && written_.contains(name); }
+  bool holds(const std::string& name) const;
 
   /// A file that was written. Throws WriteError if it cannot be read.
   std::string read(const std::string& name) const;
@@ -97,6 +98,7 @@ class OutputFolder {
   ListedFiles ours_;          ///< when it was made
   FoundManifest began_with_;  ///< the manifest that was there then
   ListedFiles written_;
+  mutable std::mutex writing_;
 };
 
 }  // namespace plumb

@@ -247,14 +247,14 @@ double RunSize::states(double on_elements) const {
 std::vector<EstimatedPart> work_precision_parts(const StudyExtent& extent, const RunSize& run) {
   double finest = run.elements;
   for (const int elements : extent.elements) finest = std::max<double>(finest, elements);
-  const double runs = static_cast<double>(extent.methods.size() * (extent.elements.size() + 1)) *
-                      extent.points * extent.repeats;
+  const double runs =
+      static_cast<double>(extent.methods.size() * (extent.elements.size() + 1)) * extent.points;
   // A mesh twice as fine stands for the continuum, and two methods are held against one another on it.
   return {{Resource::memory, "",
            fmt::format("references: 4 × {:.0f} outputs × {:.0f} nodes", run.outputs, 2 * finest + 1),
            "study.work_precision.elements, time.output_interval", 4 * run.states(2 * finest)},
-          {Resource::time, "", fmt::format("at most {:.0f} timed runs × {:g} s", runs, extent.time_limit),
-           "study.work_precision: elements, methods, points, repeats, time_limit", runs * extent.time_limit}};
+          {Resource::time, "", fmt::format("at most {:.0f} runs × {:g} s", runs, extent.time_limit),
+           "study.work_precision: elements, methods, points, time_limit", runs * extent.time_limit}};
 }
 
 std::vector<EstimatedPart> sensitivity_parts(const Case& spec, const RunSize& run) {

@@ -42,8 +42,10 @@ std::string summed(const std::string& line, const std::string& identity) {
 }
 
 // A machine's number in a file is its place among those that the file names.
-std::string point_line(const std::string& key, std::size_t machine, const std::string& result) {
-  return fmt::format(R"({{"point":{},"on":{},"result":{}}})", text_of(key), machine, result);
+std::string point_line(const std::string& key, std::size_t machine, double seconds,
+                       const std::string& result) {
+  return fmt::format(R"({{"point":{},"on":{},"took":{:.3g},"result":{}}})", text_of(key), machine, seconds,
+                     result);
 }
 
 std::string machine_line(const Machine& machine, std::size_t number) {
@@ -87,7 +89,8 @@ bool cut(std::string_view& text, std::string_view part) {
   return true;
 }
 
-bool cut_number(std::string_view& text, std::size_t& number) {
+template <class Number>
+bool cut_number(std::string_view& text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc()) return false;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
@@ -115,7 +118,8 @@ bool cut_string(std::string_view& text, std::string& value) {
 /// The lines of a file, as long as they are whole, taken into a journal.
 class Journal::Lines {
  public:
-  Lines(Journal& journal, const std::string& identity) : journal_(journal), identity_(identity) {}
+  Lines(Journal& journal, const std::string& identity)
+      : journal_(journal), identity_(identity), source_(++journal.sources_) {}
 
   /// Of the rest of a file. A last line without an end was cut off.
   void take_all(std::istream& file) {
@@ -144,13 +148,17 @@ class Journal::Lines {
       return true;
     }
     std::size_t machine = 0;
+    double seconds = -1;
     if (!cut(text, R"({"point":)") || !cut_string(text, key) || !cut(text, R"(,"on":)") ||
-        !cut_number(text, machine) || !cut(text, R"(,"result":)") || !text.ends_with('}') ||
-        !machines_.contains(machine))
+        !cut_number(text, machine) || !cut(text, R"(,"took":)") || !cut_number(text, seconds) ||
+        !cut(text, R"(,"result":)") || !text.ends_with('}') || !machines_.contains(machine))
       return false;
     text.remove_suffix(1);
     ++points_;
-    journal_.results_.try_emplace(std::move(key), Result{std::string(text), machines_[machine]});
+    Result result{std::string(text), seconds, machines_[machine], source_};
+    // What was computed again in one journal counts; of several journals, the first.
+    const auto [known, is_new] = journal_.results_.try_emplace(std::move(key), result);
+    if (!is_new && known->second.source == source_) known->second = std::move(result);
     return true;
   }
 
@@ -164,6 +172,7 @@ class Journal::Lines {
 
   Journal& journal_;
   const std::string& identity_;
+  std::size_t source_;
   std::size_t size_ = 0;
   std::size_t points_ = 0;
   std::size_t damaged_ = 0;
@@ -281,14 +290,19 @@ const Machine& Journal::machine_of(const std::string& key) const {
   return machines_[results_.at(key).machine];
 }
 
-void Journal::add(const std::string& key, const std::string& result, const Machine& on) {
+double Journal::seconds_of(const std::string& key) const {
+  const std::lock_guard lock(guard_);
+  return results_.at(key).seconds;
+}
+
+void Journal::add(const std::string& key, const std::string& result, double seconds, const Machine& on) {
   const std::lock_guard lock(guard_);
   const std::size_t machine = number_of(on);
   std::string lines;
   const std::string own = heading(identity_);
   if (said_.insert(machine).second) lines = summed(machine_line(on, machine), own);
-  write(lines + summed(point_line(key, machine, result), own));
-  results_[key] = {result, machine};
+  write(lines + summed(point_line(key, machine, seconds, result), own));
+  results_[key] = {result, seconds, machine, 0};
 }
 
 bool Journal::empty() const {
@@ -316,7 +330,8 @@ std::string Journal::text(const StudyIdentity& identity,
   std::string text = own + '\n';
   for (std::size_t k = 0; k < machines_.size(); ++k) text += summed(machine_line(machines_[k], k), own);
   for (const auto& [key, result] : results_)
-    if (!wanted || wanted(key)) text += summed(point_line(key, result.machine, result.text), own);
+    if (!wanted || wanted(key))
+      text += summed(point_line(key, result.machine, result.seconds, result.text), own);
   for (const std::string& key : missing) text += summed(text_of({{"missing", key}}), own);
   return text;
 }

@@ -42,8 +42,11 @@ class Journal {
   std::optional<std::string> find(const std::string& key) const;
   /// Where a known point was computed.
   const Machine& machine_of(const std::string& key) const;
+  /// How long it took there, s of the processor; -1: not known.
+  double seconds_of(const std::string& key) const;
   /// Takes JSON without a line break.
-  void add(const std::string& key, const std::string& result, const Machine& on = this_machine());
+  void add(const std::string& key, const std::string& result, double seconds = -1,
+           const Machine& on = this_machine());
 
   bool empty() const;
   std::size_t points() const;
@@ -71,7 +74,9 @@ class Journal {
  private:
   struct Result {
     std::string text;
+    double seconds;
     std::size_t machine;  // of machines_
+    std::size_t source;   // the how many-th file it is from; 0: none
   };
   class Lines;
 
@@ -89,6 +94,7 @@ class Journal {
   mutable std::mutex guard_;
   std::vector<Machine> machines_;
   std::set<std::size_t> said_;  // of machines_, in the file
+  std::size_t sources_ = 0;
   std::map<std::string, Result> results_;
   std::set<std::string> missing_;
 };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+
+#include "engine/integrate/processor_time.h"
 
 namespace plumb {
 
@@ -19,6 +22,19 @@ void Runner::say(const std::string& part, double share) {
 
 std::string Runner::text_of(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string Runner::timed(const std::function<std::string()>& compute) {
+  const double began = processor_seconds();
+  const std::string line = compute();
+  return fmt::format("{:.3g} {}", processor_seconds() - began, line);
+}
+
+std::pair<double, std::string> Runner::untimed(const std::string& line) {
+  const std::size_t space = line.find(' ');
+  double seconds = -1;
+  std::from_chars(line.data(), line.data() + space, seconds);
+  return {seconds, line.substr(space + 1)};
 }
 
 /// Points are dealt out by their predicted work, the most first, so that shares are alike; groups stay
@@ -105,9 +121,10 @@ void Runner::compute_in(Company company, std::vector<PlannedPart>& parts, const 
   say(what, share());
   workers_->compute(tasks, company, [&](std::size_t task, const TaskEnd& end) {
     const auto [planned, k] = places[task];
-    const std::string line = end.fault.empty() ? end.line : planned->lost(k, end.fault);
+    const auto [seconds, line] =
+        end.fault.empty() ? untimed(end.line) : std::pair(-1.0, planned->lost(k, end.fault));
     PointState& point = planned->points[k];
-    journal_.add(point.key, line, end.on);
+    journal_.add(point.key, line, seconds, end.on);
     planned->read(k, line);
     point.known = true;
     ++done;

@@ -99,8 +99,9 @@ class Runner {
       const StudyPoint<Result>& point = (*points)[k];
       const bool known = find(part.name, point, (*results)[k]);
       planned.points.push_back({full_key(part.name, point.key), known, true});
-      planned.tasks.push_back({[points, k] { return text_of(encode((*points)[k].compute())); }, point.work,
-                               point.group, point.patience});
+      planned.tasks.push_back(
+          {[points, k] { return timed([&] { return text_of(encode((*points)[k].compute())); }); }, point.work,
+           point.group, point.patience, planned.points.back().key});
     }
     planned.read = [results](std::size_t k, const std::string& line) { (*results)[k] = read<Result>(line); };
     if (lost)
@@ -131,8 +132,8 @@ class Runner {
               const std::function<bool(const Result&)>& good = {}) {
     Result result{};
     if (find(part, point, result) && (!good || good(result))) return result;
-    const std::string line = text_of(encode(point.compute()));
-    journal_.add(full_key(part, point.key), line);
+    const auto [seconds, line] = untimed(timed([&] { return text_of(encode(point.compute())); }));
+    journal_.add(full_key(part, point.key), line, seconds);
     return read<Result>(line);
   }
 
@@ -173,6 +174,9 @@ class Runner {
   };
 
   static std::string full_key(const std::string& part, const std::string& key) { return part + ": " + key; }
+  /// A line with the seconds of the processor before it that it took to compute, and these apart again.
+  static std::string timed(const std::function<std::string()>& compute);
+  static std::pair<double, std::string> untimed(const std::string& line);
   static std::string text_of(const nlohmann::ordered_json& json);
   void add(PlannedPart planned);
   std::vector<bool> own_of(const PlannedPart& planned) const;

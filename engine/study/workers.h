@@ -22,6 +22,7 @@ struct Task {
   double work = 1;        ///< predicted, in any unit; the greatest begin first
   std::size_t group = 0;  ///< apart: tasks of one group follow one another in one process, in their order
   double patience = 60;   ///< apart: a process that gives nothing for this long hangs, s
+  std::string key = {};   ///< of the point, with its part
   std::size_t id = 0;     ///< the same in all processes that plan the same work
 };
 

@@ -35,14 +35,29 @@ class Stages {
 
   const std::vector<std::pair<std::string, double>>& all() const { return stages_; }
 
-  /// The stage that was begun last of all, of any command of this program; empty before.
+  /// Takes down what was done meanwhile beside these.
+  void add_beside(const Stages& others) {
+    stages_.insert(stages_.end(), others.stages_.begin(), others.stages_.end());
+    any_beside_ = true;
+  }
+  /// Whether stages overlap, so that their sum is more than the time that passed.
+  bool any_beside() const { return any_beside_; }
+
+  /// Time since these were made, s.
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - made_).count();
+  }
+
+  /// The stage that was begun last of all, of any command of this program, by this thread; empty before.
   static std::string_view current() { return current_; }
 
  private:
-  inline static std::string current_;
+  inline static thread_local std::string current_;
   std::vector<std::pair<std::string, double>> stages_;
   std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
   bool running_ = false;
+  bool any_beside_ = false;
 };
 
 }  // namespace plumb

@@ -50,8 +50,9 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
   return {{"Software", "Plumb"}, {"Title", title}, {renderer_keyword, context.info().fingerprint()}};
 }
 
-std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
-                                   const PngTexts& texts) {
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTools& tools,
+                                   const std::string& title) {
+  const PngTexts texts = picture_texts(tools.context, title);
   // Each is encoded beside the drawing of the next.
   constexpr std::size_t waiting = 2;
   std::vector<Picture> pictures;
@@ -63,10 +64,9 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
                         figure.times});
     encoding.pop_front();
   };
-  PlotRenderer plots(context);
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    const auto encode = [image = std::make_shared<const Image>(plots.draw(figure.plot)), &texts] {
+    const auto encode = [image = std::make_shared<const Image>(tools.plots.draw(figure.plot)), &texts] {
       return encode_png(*image, texts);
     };
     // Where no thread is to be had the picture is encoded once it is asked for.
@@ -77,20 +77,14 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlC
   return pictures;
 }
 
-std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
-                                  const PngTexts& texts, OutputFolder& folder) {
-  std::vector<Picture> pictures = drawn_figures(figures, context, texts);
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
+                                  const std::string& title, OutputFolder& folder) {
+  std::vector<Picture> pictures = drawn_figures(figures, tools, title);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     folder.write(pictures[i].file, pictures[i].png);
     folder.write(fmt::format("figures/{}.csv", figures[i].name), to_csv(figures[i].plot));
   }
   return pictures;
-}
-
-std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const std::string& title,
-                                  OutputFolder& folder) {
-  const GlContext context;
-  return draw_figures(figures, context, picture_texts(context, title), folder);
 }
 
 const Picture* find_picture(const std::vector<Picture>& pictures, const std::string& name) {
@@ -106,14 +100,15 @@ const std::vector<Picture>& Pictures::of(const std::string& key) const {
 }
 
 Pictures draw(const Run& run, const SceneOfRun& shown, const std::vector<SeriesError>& errors,
-              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
-              const DrawingProgress& progress) {
+              const std::optional<FrameRange>& range, DrawingTools& tools, OutputFolder& folder,
+              Stages& stages, const DrawingProgress& progress) {
   Pictures result;
   stages.begin("figures");
-  const GlContext context;
-  const PngTexts texts = picture_texts(context, run.loaded.source.file.name);
-  result.figures = draw_figures(figures(run, errors), context, texts, folder);
+  const std::string& title = run.loaded.source.file.name;
+  result.figures = draw_figures(figures(run, errors), tools, title, folder);
 
+  const GlContext& context = tools.context;
+  const PngTexts texts = picture_texts(context, title);
   result.renderer = context.info().fingerprint();
   result.animation_notes = shown.notes();
   if (shown.motion() == nullptr) {

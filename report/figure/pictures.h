@@ -9,6 +9,7 @@
 #include "engine/run/output_folder.h"
 #include "render/gl/gl_context.h"
 #include "render/image/png.h"
+#include "render/plot/plot_renderer.h"
 #include "render/scene/frame_stream.h"
 #include "report/base/stages.h"
 #include "report/figure/figures.h"
@@ -57,17 +58,22 @@ struct Pictures {
 /// What every picture file says of itself: program, title, and what drew it.
 PngTexts picture_texts(const GlContext& context, const std::string& title);
 
-/// Draws figures. Throws OutputError when drawing fails, Interrupted when the user stops it.
-std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, const GlContext& context,
-                                   const PngTexts& texts);
+/// What figures are drawn with. To make it ready, and the first figure with it, takes longer than drawing
+/// several more: one serves for all pictures of a report.
+struct DrawingTools {
+  GlContext context = GlContext();
+  PlotRenderer plots = PlotRenderer(context);
+};
+
+/// Draws figures, with `title` in each picture file. Throws OutputError when drawing fails, Interrupted when
+/// the user stops it.
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTools& tools,
+                                   const std::string& title);
 
 /// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
 /// when drawing or writing fails, Interrupted when the user stops it.
-std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const GlContext& context,
-                                  const PngTexts& texts, OutputFolder& folder);
-/// The same with a context of their own; `title` is in each picture file.
-std::vector<Picture> draw_figures(const std::vector<Figure>& figures, const std::string& title,
-                                  OutputFolder& folder);
+std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
+                                  const std::string& title, OutputFolder& folder);
 
 /// Called now and then with the share done, 0 to 1.
 using DrawingProgress = std::function<void(double)>;
@@ -83,7 +89,7 @@ inline constexpr const char* player_file = "player.png";
 /// animation.png and player.png; of an external run that does not tell enough, figures alone. `scene` is what
 /// the frames show. Throws OutputError when drawing or writing fails, Interrupted when the user stops it.
 Pictures draw(const Run& run, const SceneOfRun& scene, const std::vector<SeriesError>& errors,
-              const std::optional<FrameRange>& range, OutputFolder& folder, Stages& stages,
-              const DrawingProgress& progress = {});
+              const std::optional<FrameRange>& range, DrawingTools& tools, OutputFolder& folder,
+              Stages& stages, const DrawingProgress& progress = {});
 
 }  // namespace plumb

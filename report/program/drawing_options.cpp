@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "engine/base/errors.h"
+#include "report/figure/pictures.h"
 #include "report/program/run_pipeline.h"
 #include "report/verdict/reference_points.h"
 
@@ -51,6 +52,18 @@ std::optional<FrameRange> asked_frames(const Options& options) {
     throw UsageError(fmt::format(
         "--frames {}: must be two frame numbers from 0, the lower first, as 10:20, or 10: or 10", text));
   return FrameRange{*first, *last};
+}
+
+FrameRange frames_of_share(const Share& share, int frames, const std::optional<FrameRange>& asked) {
+  const FrameRange all = range_within(frames, asked);
+  const auto begin_of = [&](std::size_t number) {
+    return all.first + static_cast<int>((number - 1) * static_cast<std::size_t>(all.count()) / share.of);
+  };
+  const FrameRange own{begin_of(share.number), begin_of(share.number + 1) - 1};
+  if (own.count() == 0)
+    throw UsageError(
+        fmt::format("--share {}/{}: of {} frames this share has none", share.number, share.of, all.count()));
+  return own;
 }
 
 LoadedCase with_asked_scene(const LoadedCase& loaded, const Options& options) {

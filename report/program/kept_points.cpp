@@ -27,7 +27,7 @@ void KeptPoints::take_over_from(const std::string& folder) {
 }
 
 void KeptPoints::write(OutputFolder& folder) const {
-  if (!journal_.empty()) folder.write(points_file_name, journal_.text(identity_));
+  folder.write(points_file_name, journal_.text(identity_));
 }
 
 void KeptPoints::say_kept(Console& console) const {

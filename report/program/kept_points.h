@@ -30,7 +30,7 @@ class KeptPoints {
   Journal& journal() { return journal_; }
   const StudyIdentity& identity() const { return identity_; }
 
-  /// Puts them into the folder, for studies to come.
+  /// Puts them into the folder, for studies to come, and for --merge, even where there are none.
   void write(OutputFolder& folder) const;
 
   /// Says that they stay, for the same command to go on from.

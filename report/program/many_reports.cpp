@@ -77,10 +77,9 @@ IndexedReport report_in(const std::string& folder, const std::string& seen, cons
 
 ExitStatus write_index(std::vector<IndexedReport> reports, std::size_t at_once, OutputFolder& folder,
                        const Options& options, Console& console) {
-  const GlContext context;
-  const PngTexts texts = picture_texts(context, "index");
+  DrawingTools tools;
   std::vector<Picture> pictures;
-  for (Picture& picture : drawn_figures(shared_figures(reports), context, texts)) {
+  for (Picture& picture : drawn_figures(shared_figures(reports), tools, "index")) {
     folder.write(picture.file, picture.png);
     pictures.push_back(std::move(picture));
   }

@@ -28,6 +28,7 @@
 #include "report/program/installed_cases.h"
 #include "report/program/limits.h"
 #include "report/program/results_schema.h"
+#include "report/program/share_option.h"
 #include "report/program/study_kinds.h"
 #include "report/program/surroundings.h"
 #include "report/program/verbs.h"
@@ -47,16 +48,17 @@ bool serves() {
   return job_here != nullptr && job_here->rank() > 0;
 }
 
-/// Whatever goes wrong after a stop was asked for, that is why.
-int fail(const std::string& message, ExitStatus status) {
-  if (is_interrupted() && status != ExitStatus::interrupted)
-    return fail(Interrupted().what(), ExitStatus::interrupted);
+/// Says the one line. Whatever goes wrong after a stop was asked for, that is why.
+int fail(const std::string& error, ExitStatus status) {
+  if (is_interrupted()) status = ExitStatus::interrupted;
+  const std::string message = status == ExitStatus::interrupted ? Interrupted().what() : error;
   if (serves()) {
     fail_in_job(*job_here, message);  // rank 0 says it, and its status is that of the job
     return static_cast<int>(ExitStatus::done);
   }
   const Undivided undivided;
-  std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
+  if (may_say_interrupted() || status != ExitStatus::interrupted)
+    std::fputs(("plumb: " + one_line(message) + "\n").c_str(), stderr);
   return static_cast<int>(status);
 }
 
@@ -171,11 +173,11 @@ void add_comparison(CLI::App& command, Options& options) {
   command.add_flag("--accept", options.accept, "make B the baseline: put it in the place of A");
 }
 
-void add_shares(CLI::App& command, Options& options) {
-  CLI::Option* share = command
-                           .add_option("--share", options.share,
-                                       "compute one share of the points only, as of many machines: 3/16")
-                           ->type_name("K/N");
+void add_shares(const Verb& verb, CLI::App& command, Options& options) {
+  CLI::Option* share =
+      command.add_option("--share", options.share, "one share of the work, as of many machines: 3/16")
+          ->type_name("K/N");
+  if (!verb.takes_parts) return;
   CLI::Option* only = command
                           .add_option("--only", options.only,
                                       "compute only the points that FILE, of --merge, lists as missing")
@@ -244,7 +246,7 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
                      fmt::format("what to vary: {}; default: the first that the case has a table for",
                                  fmt::join(study_kind_names(), ", ")))
         ->type_name("");
-  if (verb.takes_shares) add_shares(*command, options);
+  if (verb.takes_share) add_shares(verb, *command, options);
   if (verb.takes_overrides)
     command
         ->add_option("--set", options.overrides,
@@ -333,6 +335,7 @@ void check_together(const Verb& verb, const Options& options) {
   if (!options.from.empty() && !options.history.empty())
     throw UsageError("--history goes with RUN: --from shows what a results.json says, no new run");
   asked_bounds(options.limits);
+  asked_share(options);
 }
 
 /// Refuses what is wrong in the environment where it matters, and remarks on it elsewhere.
@@ -407,6 +410,7 @@ int act_and_tell(int count, const char* const* arguments) {
     refuse_short_stack();
     catch_interrupts();
     job_here = job_of_process();
+    if (serves()) may_say_interrupted();  // rank 0 says it for all
     const int status = parse_and_act(count, arguments);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw WriteError("standard output", "not all that was said got there");
@@ -418,8 +422,7 @@ int act_and_tell(int count, const char* const* arguments) {
   } catch (const OutputError& error) {
     return fail(error.what(), ExitStatus::output_failed);
   } catch (const Interrupted& error) {
-    return may_say_interrupted() ? fail(error.what(), ExitStatus::interrupted)
-                                 : static_cast<int>(ExitStatus::interrupted);
+    return fail(error.what(), ExitStatus::interrupted);
   } catch (const std::bad_alloc&) {
     return fail_for_memory();
   } catch (const std::length_error&) {

@@ -5,6 +5,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
+#include "engine/base/job.h"
 #include "report/document/report_formats.h"
 #include "report/exports/export_formats.h"
 #include "report/figure/scene_of_run.h"
@@ -20,12 +21,12 @@ namespace plumb {
 namespace {
 
 /// Frames as PNG files one after another on standard output, for an encoder.
-ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown, const Options& options,
-                                     Console& console) {
+ExitStatus stream_to_standard_output(const Run& run, const SceneOfRun& shown,
+                                     const std::optional<FrameRange>& frames, Console& console) {
   if (shown.motion() == nullptr) throw OutputError("there are no frames: " + shown.notes().front());
   const GlContext context;
   SceneRenderer scene(context, *shown.motion(), shown.input());
-  const FrameRange range = range_within(scene.frame_count(), asked_frames(options));
+  const FrameRange range = range_within(scene.frame_count(), frames);
   stream_frames(scene, range, picture_texts(context, run.loaded.source.file.name), PngEffort::quick,
                 [&](int k, const std::string& png) {
                   write_to_standard_output(png);
@@ -42,25 +43,35 @@ ExitStatus do_render(const Options& options, Console& console) {
     throw UsageError("-o - has standard output for the frames: neither --json nor --video goes with it");
   Stages stages;
   stages.begin("reading");
-  const std::optional<FrameRange> frames = asked_frames(options);
+  std::optional<FrameRange> frames = asked_frames(options);
+  Share share = asked_share(options);
+  if (const Job* job = job_of_process(); job != nullptr && options.share.empty())
+    share = {static_cast<std::size_t>(job->rank()) + 1, static_cast<std::size_t>(job->size())};
   Run run = find_run(options.input);
   run.loaded = with_asked_scene(run.loaded, options);
+  const std::string path =
+      to_standard_output ? ""
+                         : output_path_of_run(options) +
+                               (options.output.empty() || options.share.empty() ? suffix_of(share) : "");
   check_estimate(
       run.loaded.spec,
       {.writes_run = !to_standard_output, .draws = true, .frames = frames ? 1.0 * frames->count() : -1},
-      options.input, to_standard_output ? "." : output_path_of_run(options), options, console);
+      options.input, to_standard_output ? "." : path, options, console);
   std::vector<OtherRun> others;
   SceneOfRun scene(run, options.mode);
   add_asked(scene, run, options, others, console);
   // Before any work.
-  if (scene.motion() != nullptr)
-    range_within(frame_count(scene.motion()->times.back(), run.loaded.spec.scene.frame_rate), frames);
-  if (to_standard_output) return stream_to_standard_output(run, scene, options, console);
+  if (scene.motion() != nullptr) {
+    const int count = frame_count(scene.motion()->times.back(), run.loaded.spec.scene.frame_rate);
+    const FrameRange own = frames_of_share(share, count, frames);
+    if (frames || !share.is_all()) frames = own;
+  }
+  if (to_standard_output) return stream_to_standard_output(run, scene, frames, console);
   FolderUse use = folder_from(options.input, console);
   use.content = FolderContent::pictures;
   for (const std::vector<std::string>* paths : {&options.over, &options.beside})
-    for (const std::string& path : *paths) use.reads.push_back(file_in(path, "run.h5"));
-  OutputFolder folder(output_path_of_run(options), use);
+    for (const std::string& other : *paths) use.reads.push_back(file_in(other, "run.h5"));
+  OutputFolder folder(path, use);
   std::unique_ptr<Video> video;
   if (!options.video.empty()) {
     use.reads.insert(use.reads.end(), use.sources.begin(), use.sources.end());
@@ -72,7 +83,8 @@ ExitStatus do_render(const Options& options, Console& console) {
   for (const ReportFormat& format : report_formats()) folder.keep(std::string(format.file));
   for (const char* beside : {"index.html", "study.h5", "assessment.json", "choice.json"}) folder.keep(beside);
   keep_exports(folder);
-  const Pictures pictures = draw_pictures(run, scene, frames, folder, stages, console);
+  DrawingTools tools;
+  const Pictures pictures = draw_pictures(run, scene, frames, tools, folder, stages, console);
   if (video) {
     stages.begin("video");
     for (int k = pictures.first_frame; k < pictures.first_frame + pictures.frames; ++k)
@@ -104,8 +116,10 @@ Verb render_verb() {
           .input = "RUN",
           .takes_overrides = true,
           .takes_output = true,
+          .takes_share = true,
           .draws = true,
           .is_estimated = true,
+          .works_in_job = true,
           .uses_renderer = true};
 }
 

@@ -11,14 +11,15 @@
 #include <set>
 
 #include "engine/base/errors.h"
+#include "engine/base/job_runs.h"
 #include "engine/base/message.h"
-#include "engine/base/side_by_side.h"
 #include "report/program/earlier_report.h"
 #include "report/program/history_file.h"
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/share_option.h"
 
 namespace plumb {
 
@@ -193,6 +194,25 @@ class Sayings {
   std::set<std::string> said_;
 };
 
+/// The places of cases, those that are predicted to take longest first.
+std::vector<std::size_t> longest_first(const std::vector<Planned>& cases) {
+  std::vector<std::size_t> order(cases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto predicted = [&](std::size_t k) { return cases[k].estimate.total(Resource::time); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return predicted(a) > predicted(b); });
+  return order;
+}
+
+/// Leaves those of a share, dealt out by the time that they are predicted to take.
+void keep_share(std::vector<Planned>& cases, const Share& share) {
+  const std::vector<std::size_t> order = longest_first(cases);
+  std::vector<bool> own(cases.size());
+  for (std::size_t place = 0; place < order.size(); ++place) own[order[place]] = share.has(place);
+  std::size_t k = 0;
+  std::erase_if(cases, [&](const Planned&) { return !own[k++]; });
+}
+
 ExitStatus status_of_case(const OwnRunEnd& end) {
   // Whatever ended it from outside, there is nothing to look at.
   return end.fault.empty() ? static_cast<ExitStatus>(end.status) : ExitStatus::output_failed;
@@ -202,22 +222,26 @@ ExitStatus status_of_case(const OwnRunEnd& end) {
 
 ExitStatus run_many(const CaseList& list, const Options& options, Console& console) {
   refuse_options_for_one_case(options);
-  const std::string folder = !options.output.empty() ? options.output
-                             : list.folder.empty()   ? std::string(default_index_folder)
-                                                   : (fs::path(default_index_folder) / list.folder).string();
+  const Share share = asked_share(options);
+  const std::string folder =
+      !options.output.empty()
+          ? options.output
+          : (list.folder.empty() ? std::string(default_index_folder)
+                                 : (fs::path(default_index_folder) / list.folder).string()) +
+                suffix_of(share);
   if (!options.history.empty()) check_history(options.history, console);
   ExitStatus worst = ExitStatus::done;
-  const std::vector<Planned> cases = planned(list, folder, options, console, worst);
+  std::vector<Planned> cases = planned(list, folder, options, console, worst);
   if (worst != ExitStatus::done) return worst;
+  keep_share(cases, share);
+  if (cases.empty())
+    throw UsageError(
+        fmt::format("--share {}: of {} cases this share has none", options.share, list.paths.size()));
   refuse_beyond_together(cases, folder, options);
   OutputFolder index(folder, use_of_index(console));
   if (!options.history.empty()) refuse_to_overwrite("--history", options.history, {}, index.path());
 
-  std::vector<std::size_t> order(cases.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto predicted = [&](std::size_t k) { return cases[k].estimate.total(Resource::time); };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return predicted(a) > predicted(b); });
+  const std::vector<std::size_t> order = longest_first(cases);
   std::vector<OwnRun> runs;
   std::vector<std::optional<ino_t>> before;
   std::vector<std::string> timed;
@@ -261,12 +285,16 @@ ExitStatus run_many(const CaseList& list, const Options& options, Console& conso
   };
   {
     const SharedProcessors shared(at_once);
-    run_side_by_side(runs, memory_for_all(folder, options), take, [&] {
+    const auto stopping = [&] {
       if (ended > 0)
         console.remark(
             fmt::format("{} of {} cases are done, each in its folder below {}; the index is as it was", ended,
                         cases.size(), index.path()));
-    });
+    };
+    if (Job* job = job_of_process())
+      run_in_job(*job, runs, take, stopping);
+    else
+      run_side_by_side(runs, memory_for_all(folder, options), take, stopping);
   }
   return write_index(std::move(reports), at_once, index, options, console);
 }

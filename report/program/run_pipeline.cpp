@@ -156,8 +156,8 @@ void write_run(const Run& run, OutputFolder& folder) {
 }
 
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
-                       OutputFolder& folder, Stages& stages, Console& console) {
-  Pictures pictures = draw(run, scene, series_errors(run), range, folder, stages,
+                       DrawingTools& tools, OutputFolder& folder, Stages& stages, Console& console) {
+  Pictures pictures = draw(run, scene, series_errors(run), range, tools, folder, stages,
                            [&](double share) { console.progress("drawing", share); });
   console.end_progress();
   return pictures;
@@ -165,43 +165,31 @@ Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optio
 
 void say_stages(const Stages& stages, Console& console) {
   std::string text;
-  double total = 0;
-  for (const auto& [name, seconds] : stages.all()) {
+  for (const auto& [name, seconds] : stages.all())
     text += fmt::format("{}{} {:.2f} s", text.empty() ? "" : ", ", name, seconds);
-    total += seconds;
-  }
+  if (stages.any_beside()) text += ", some beside others";
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  console.line(console.faint(
-      fmt::format("time: {}; {:.2f} s in all; peak memory {} MB", text, total, usage.ru_maxrss / 1024)));
+  console.line(console.faint(fmt::format("time: {}; {:.2f} s in all; peak memory {} MB", text,
+                                         stages.elapsed(), usage.ru_maxrss / 1024)));
 }
-
-namespace {
-
-/// All pictures of a report.
-Pictures draw_all(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                  Stages& stages, Console& console) {
-  Pictures pictures = draw_pictures(run, SceneOfRun(run), {}, folder, stages, console);
-  for (const RunSection& section : sections) {
-    if (!section.figures) continue;
-    if (!section.drawing_stage.empty()) stages.begin(section.drawing_stage);
-    std::vector<Picture>& drawn =
-        section.figures_key == figures_key ? pictures.figures : pictures.sections[section.figures_key];
-    for (Picture& picture : draw_figures(section.figures(), run.loaded.spec.title, folder))
-      drawn.push_back(std::move(picture));
-    stages.end();
-  }
-  return pictures;
-}
-
-}  // namespace
 
 ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                           Stages& stages, const Options& options, Console& console) {
+                           Stages& stages, const Options& options, Console& console, DrawingBeside* begun) {
   Pictures pictures;
   std::string failure;
   try {
-    pictures = draw_all(run, sections, folder, stages, console);
+    if (begun != nullptr) {
+      stages.begin("waiting for the pictures");
+      pictures = begun->finish(sections);
+      stages.end();
+    } else {
+      std::promise<const std::vector<RunSection>*> known;
+      known.set_value(&sections);
+      pictures = draw_all(run, known.get_future().share(), folder, stages,
+                          [&](double share) { console.progress("drawing", share); });
+      console.end_progress();
+    }
   } catch (const WriteError&) {
     throw;
   } catch (const OutputError& error) {
@@ -211,6 +199,7 @@ ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sectio
     failure = error.what();
     pictures.animation_notes = {"the pictures could not be drawn: " + failure};
   }
+  if (begun != nullptr) stages.add_beside(begun->stages());
   Document document = document_of(evaluate(run, stages, sections), pictures);
   hold_against_earlier(document, run, pictures, options, folder.path());
   if (!options.history.empty()) add_history(document, options.history);

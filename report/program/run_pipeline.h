@@ -7,6 +7,7 @@
 #include "report/document/document.h"
 #include "report/figure/pictures.h"
 #include "report/program/console.h"
+#include "report/program/drawing_beside.h"
 #include "report/program/options.h"
 #include "report/verdict/results.h"
 
@@ -52,12 +53,14 @@ void say_verdicts(const std::vector<Verdict>& verdicts, Console& console);
 
 /// Draws with a progress bar: the figures of a run, and all frames of a scene or those of a range.
 Pictures draw_pictures(const Run& run, const SceneOfRun& scene, const std::optional<FrameRange>& range,
-                       OutputFolder& folder, Stages& stages, Console& console);
+                       DrawingTools& tools, OutputFolder& folder, Stages& stages, Console& console);
 
 /// All that follows a run: pictures, verdicts and report, with the folder put in place and the verdicts said.
 /// Where pictures cannot be drawn the folder is put in place without them, and then OutputError is thrown.
+/// `begun`: what draws them already.
 ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sections, OutputFolder& folder,
-                           Stages& stages, const Options& options, Console& console);
+                           Stages& stages, const Options& options, Console& console,
+                           DrawingBeside* begun = nullptr);
 
 /// `plumb run` of one case.
 ExitStatus run_one(const Options& options, Console& console);

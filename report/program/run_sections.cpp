@@ -40,7 +40,7 @@ std::span<const PageSection> page_sections() {
 
 std::vector<RunSection> computed_sections(const Run& run, const std::optional<Economy>& economy,
                                           Journal& journal, OutputFolder& folder, Stages& stages,
-                                          Console& console) {
+                                          Console& console, const std::function<void()>& all_timed) {
   std::optional<Study> study;
   // A rigid rod has no methods and meshes to compare.
   if (run.loaded.spec.work_precision && run.loaded.spec.cable.model != CableModel::rigid) {
@@ -48,6 +48,7 @@ std::vector<RunSection> computed_sections(const Run& run, const std::optional<Ec
     study = quick_study(run.loaded, journal, console);
     write_study(*study, folder);
   }
+  all_timed();
   const Assessment assessment = assess(run, journal, stages, console);
   write_assessment(assessment, folder);
   if (run.loaded.spec.sensitivity) stages.begin("sensitivity");

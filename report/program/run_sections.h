@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,10 +20,11 @@ namespace plumb {
 std::span<const PageSection> page_sections();
 
 /// Computes what the case of a run asks for, with a progress bar, and writes it into the folder. `journal`
-/// keeps what is done, `economy` is what the scene needs, where the run was left to it.
+/// keeps what is done, `economy` is what the scene needs, where the run was left to it. `all_timed` is called
+/// once there is nothing left beside which other work would disturb a timing.
 std::vector<RunSection> computed_sections(const Run& run, const std::optional<Economy>& economy,
                                           Journal& journal, OutputFolder& folder, Stages& stages,
-                                          Console& console);
+                                          Console& console, const std::function<void()>& all_timed);
 
 /// The same of what lies beside a run, which is written anew. Throws InputError where it cannot be used.
 std::vector<RunSection> sections_beside(const std::string& run_path, const Run& run, OutputFolder& folder);

@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "engine/base/job_runs.h"
 #include "report/document/case_json.h"
 #include "report/document/regression.h"
 #include "report/program/earlier_report.h"
@@ -50,10 +51,11 @@ ExitStatus run_one(const Options& options, Console& console) {
   if (economy) run.provenance.emplace_back(left_to_scene, "as choice.json says");
   write_run(run, folder);
   KeptPoints points(folder.path(), loaded.source, console);
-  const std::vector<RunSection> sections =
-      computed_sections(run, economy, points.journal(), folder, stages, console);
-  points.write(folder);
-  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console);
+  std::optional<DrawingBeside> drawing;
+  const std::vector<RunSection> sections = computed_sections(run, economy, points.journal(), folder, stages,
+                                                             console, [&] { drawing.emplace(run, folder); });
+  if (!points.journal().empty()) points.write(folder);
+  const ExitStatus status = draw_and_report(run, sections, folder, stages, options, console, &*drawing);
   points.remove();
   return status;
 }
@@ -61,7 +63,15 @@ ExitStatus run_one(const Options& options, Console& console) {
 namespace {
 
 ExitStatus do_run(const Options& options, Console& console) {
+  if (Job* job = job_of_process(); job != nullptr && job->rank() > 0) {
+    serve_own_runs(*job);
+    return ExitStatus::done;
+  }
   const CaseList cases = cases_named(options.inputs);
+  if (cases.paths.size() == 1 && cases.folder.empty() && !options.share.empty())
+    throw UsageError(
+        "--share is for several cases, and there is but one; the points of a study have shares of their own: "
+        "plumb study");
   if (cases.paths.size() > 1 || !cases.folder.empty()) return run_many(cases, options, console);
   Options one = options;
   one.input = cases.paths.front();
@@ -80,8 +90,10 @@ Verb run_verb() {
           .takes_history = true,
           .takes_overrides = true,
           .takes_output = true,
+          .takes_share = true,
           .chooses = true,
           .is_estimated = true,
+          .works_in_job = true,
           .uses_renderer = true};
 }
 

@@ -23,8 +23,9 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   const auto [name, bytes] = study.file();
   folder.write(name, bytes);
   stages.begin("figures");
-  draw_figures(study.figures_beside(), study.title(), folder);
-  const std::vector<Picture> pictures = draw_figures(study.figures(), study.title(), folder);
+  DrawingTools tools;
+  draw_figures(study.figures_beside(), tools, study.title(), folder);
+  const std::vector<Picture> pictures = draw_figures(study.figures(), tools, study.title(), folder);
   stages.end();
   const StudyReport report = study.report(stages);
   stages.begin("report");

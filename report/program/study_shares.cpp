@@ -2,22 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/errors.h"
 #include "engine/base/file_writing.h"
 #include "report/document/report_formats.h"
+#include "report/page/reproduce.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/share_option.h"
 
 namespace plumb {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t most_shares = 1'000'000;
 
 bool is_file(const fs::path& path) {
   std::error_code ignored;
@@ -35,40 +34,26 @@ std::vector<std::string> journals_at(const std::string& path) {
   return files;
 }
 
+/// The command of the same study, as a shell takes it.
+std::string study_command(const Options& options, const std::string& kind) {
+  std::string words = fmt::format("plumb study {} {}", shell_word(options.input), kind);
+  for (const std::string& setting : options.overrides) words += " --set " + shell_word(setting);
+  return words;
+}
+
 }  // namespace
 
 bool computes_a_part(const Options& options) {
   return !options.share.empty() || !options.only.empty();
 }
 
-Scope share_asked_for(const Options& options) {
-  Scope scope;
-  if (options.share.empty()) return scope;
-  const char* at = options.share.data();
-  const char* end = at + options.share.size();
-  const auto read = [&](std::size_t& number) {
-    const auto [next, error] = std::from_chars(at, end, number);
-    at = next;
-    return error == std::errc() && number >= 1 && number <= most_shares;
-  };
-  if (!read(scope.share) || at == end || *at++ != '/' || !read(scope.shares) || at != end ||
-      scope.share > scope.shares)
-    throw UsageError(fmt::format("--share {}: a share is K/N with K from 1 to N and N at most {}, as 3/16",
-                                 options.share, most_shares));
-  return scope;
-}
-
 std::string part_suffix(const Options& options) {
-  std::string suffix = options.only.empty() ? "" : ".missing";
-  if (!options.share.empty()) {
-    const Scope scope = share_asked_for(options);
-    suffix += fmt::format(".share-{}-of-{}", scope.share, scope.shares);
-  }
-  return suffix;
+  return (options.only.empty() ? "" : ".missing") + suffix_of(asked_share(options));
 }
 
 Scope scope_asked_for(const Options& options, KeptPoints& points) {
-  Scope scope = share_asked_for(options);
+  const Share share = asked_share(options);
+  Scope scope{.share = share.number, .shares = share.of};
   if (options.only.empty()) return scope;
   points.journal().merge(options.only, points.identity());
   scope.only = points.journal().missing();
@@ -108,9 +93,9 @@ ExitStatus keep_part(const Runner& runner, const KeptPoints& points, const std::
   points.write(folder);
   folder.commit();
   const std::string file = folder.path() + '/' + points_file_name;
-  console.line(fmt::format("{} of {} are computed; to put all together: plumb study {} {} --merge FOLDER…",
+  console.line(fmt::format("{} of {} are computed; to put all together: {} --merge FOLDER…",
                            counted(static_cast<long>(runner.own_points()), "point", "points"),
-                           runner.points(), options.input, kind));
+                           runner.points(), study_command(options, kind)));
   console.line("journal: " + file);
   if (options.json)
     write_to_standard_output(nlohmann::ordered_json{{"kind", kind},
@@ -132,8 +117,8 @@ ExitStatus say_missing(const Runner& runner, const StudyIdentity& identity, cons
   console.error(fmt::format("{} of {} points are missing:", missing.size(), runner.points()));
   for (std::size_t k = 0; k < std::min(most_named, missing.size()); ++k) console.error("  " + missing[k]);
   if (missing.size() > most_named) console.error(fmt::format("  and {} more", missing.size() - most_named));
-  console.error(fmt::format("they are listed in {0}: plumb study {1} {2} --only {0} computes them", list,
-                            options.input, kind));
+  console.error(fmt::format("they are listed in {}: {} --only {} computes them", list,
+                            study_command(options, kind), shell_word(list)));
   if (options.json)
     write_to_standard_output(
         nlohmann::ordered_json{

@@ -12,9 +12,6 @@ namespace plumb {
 /// Whether a command computes a part of a study only: --share or --only.
 bool computes_a_part(const Options& options);
 
-/// The words "3/16" of --share. Throws UsageError where they are no share.
-Scope share_asked_for(const Options& options);
-
 /// What the default output folder of a part has after that of the whole: ".share-3-of-16", ".missing".
 std::string part_suffix(const Options& options);
 

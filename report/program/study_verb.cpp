@@ -68,6 +68,9 @@ ExitStatus compute(const LoadedCase& loaded, const StudyKind& kind, OutputFolder
     try {
       made = kind.make(loaded, runner);
     } catch (const NotWhole&) {
+    } catch (const OutputError&) {
+      points.say_kept(console);
+      throw;
     }
     console.end_progress();
     const ExitStatus status = computes_a_part(options)
@@ -134,7 +137,8 @@ Verb study_verb() {
           .takes_overrides = true,
           .takes_output = true,
           .takes_kind = true,
-          .takes_shares = true,
+          .takes_share = true,
+          .takes_parts = true,
           .is_estimated = true,
           .works_in_job = true,
           .uses_renderer = true};

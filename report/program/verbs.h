@@ -22,8 +22,9 @@ struct Verb {
   bool takes_output = false;
   bool takes_csv = false;
   bool takes_kind = false;     ///< of study
+  bool takes_share = false;    ///< --share
+  bool takes_parts = false;    ///< --only and --merge
   bool exports = false;        ///< takes --to, and a file of -o
-  bool takes_shares = false;   ///< --share, --only and --merge
   bool chooses = false;        ///< takes --economy and --explain
   bool draws = false;          ///< takes what to draw
   bool compares = false;       ///< takes a second path and how to compare

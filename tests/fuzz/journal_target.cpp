@@ -10,7 +10,7 @@
 namespace plumb::fuzz {
 namespace {
 
-constexpr const char* identity = "of-the-target";
+const StudyIdentity identity{"of-the-target", "case.toml", "the program"};
 
 std::string journal_heading() {
   const MemoryFile file("heading");
@@ -23,7 +23,7 @@ std::string mended(std::string_view lines) {
   std::string result;
   while (!lines.empty()) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
-    const std::string line(lines.substr(0, end)), summed = std::string(identity) + '\n' + line;
+    const std::string line(lines.substr(0, end)), summed = journal_heading() + line;
     const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(summed.data()), summed.size());
     result += fmt::format("{:08x} {}\n", sum, line);
     lines.remove_prefix(std::min(end + 1, lines.size()));

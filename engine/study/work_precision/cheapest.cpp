@@ -11,8 +11,7 @@ std::string duration_in_words(double seconds) {
   return seconds >= 1e-3 ? fmt::format("{:.3g} ms", seconds * 1e3) : fmt::format("{:.3g} µs", seconds * 1e6);
 }
 
-std::vector<CheapestRun> cheapest_runs(const std::vector<WorkPrecisionRun>& runs,
-                                       const std::vector<std::string>& labels,
+std::vector<CheapestRun> cheapest_runs(const WorkPrecision& study, const std::vector<std::string>& labels,
                                        const std::vector<WorkError>& points, double floor, double ceiling) {
   std::vector<CheapestRun> result;
   constexpr int lowest = -300;
@@ -23,15 +22,15 @@ std::vector<CheapestRun> cheapest_runs(const std::vector<WorkPrecisionRun>& runs
     if (error < floor) break;
     const WorkError* best = nullptr;
     for (const WorkError& point : points)
-      if (point.seconds >= 0 && point.error >= 0 && point.error <= error &&
-          (!best || point.seconds < best->seconds))
+      if (point.work >= 0 && point.error >= 0 && point.error <= error && (!best || point.work < best->work))
         best = &point;
     if (!best) break;
     const auto k = static_cast<std::size_t>(best - points.data());
+    const WorkPrecisionRun& run = study.runs[k];
     result.push_back(
         {error, k,
-         fmt::format("below 1e{} m: {} with {} element{}, {}, {}", power, labels[k], runs[k].elements,
-                     runs[k].elements == 1 ? "" : "s", runs[k].setting(), duration_in_words(best->seconds))});
+         fmt::format("below 1e{} m: {} with {} element{}, {}, {}", power, labels[k], run.elements,
+                     run.elements == 1 ? "" : "s", run.setting(), study.work_in_words(best->work))});
   }
   return result;
 }

@@ -59,7 +59,7 @@ std::vector<WorkError> work_errors(const WorkPrecision& study, ErrorNorms WorkPr
         (elements != 0 && run.elements != elements))
       points.push_back({});
     else
-      points.push_back({run.work_seconds(), std::max(e, floor)});
+      points.push_back({study.work(run), std::max(e, floor)});
   }
   return points;
 }
@@ -88,6 +88,11 @@ void find_floors(WorkPrecision& study) {
 }  // namespace
 
 void evaluate(WorkPrecision& study) {
+  const auto has = [&](bool (*what)(const WorkPrecisionRun&)) {
+    return std::any_of(study.runs.begin(), study.runs.end(), what);
+  };
+  study.timed = has([](const WorkPrecisionRun& run) { return !run.seconds.empty(); }) ||
+                !has([](const WorkPrecisionRun& run) { return run.completed(); });
   for (CertifiedReference& reference : study.mesh_references)
     certify(reference, smallest(study, &WorkPrecisionRun::time_error, reference.elements));
   certify(study.converged_reference, smallest(study, &WorkPrecisionRun::total_error),
@@ -103,11 +108,11 @@ void evaluate(WorkPrecision& study) {
   const auto time_points =
       work_errors(study, &WorkPrecisionRun::time_error, time_floor, study.fixed_elements);
   study.time_front = pareto_front(time_points);
-  study.time_cheapest = cheapest_runs(study.runs, labels, time_points, time_floor, ceiling);
+  study.time_cheapest = cheapest_runs(study, labels, time_points, time_floor, ceiling);
   const double total_floor = study.converged_reference.floor;
   const auto total_points = work_errors(study, &WorkPrecisionRun::total_error, total_floor);
   study.total_front = pareto_front(total_points);
-  study.total_cheapest = cheapest_runs(study.runs, labels, total_points, total_floor, ceiling);
+  study.total_cheapest = cheapest_runs(study, labels, total_points, total_floor, ceiling);
 }
 
 }  // namespace plumb

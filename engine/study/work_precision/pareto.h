@@ -8,7 +8,7 @@ namespace plumb {
 
 /// What a run costs and how far it is off; the less of both the better.
 struct WorkError {
-  double seconds = -1;
+  double work = -1;
   double error = -1;  ///< m
 };
 

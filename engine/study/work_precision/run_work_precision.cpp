@@ -6,10 +6,14 @@
 #include <cmath>
 
 #include "engine/base/parallel.h"
+#include "engine/integrate/cost_forecast.h"
 #include "engine/integrate/integrate.h"
+#include "engine/integrate/method_roles.h"
 #include "engine/model/greatest_eigenfrequency.h"
+#include "engine/model/straight_frequency.h"
 #include "engine/study/reference/grid_convergence.h"
 #include "engine/study/reference/method_curves.h"
+#include "engine/study/work_precision/timing.h"
 #include "engine/study/work_precision/work_precision_members.h"
 
 namespace plumb {
@@ -54,12 +58,17 @@ class Computation {
 
   WorkPrecision make() {
     make_references();
+    find_slowdown();
     make_curves();
     WorkPrecision study = collect();
     time_runs(study);
     runner_.conclude();
+    // Times of unlike machines tell nothing of methods.
+    if (!runner_.alike({"errors", "timing"}))
+      for (WorkPrecisionRun& run : study.runs) run.seconds.clear();
     evaluate(study);
     study.provenance = runner_.provenance();
+    study.provenance.emplace_back("timing", timing_in_words());
     return study;
   }
 
@@ -127,10 +136,42 @@ class Computation {
                        encode(meshes_.back().reference).dump());
   }
 
+  /// What cores do to one another is found out once, before anything is timed.
+  void find_slowdown() {
+    slowdown_ =
+        runner_
+            .run<double>(
+                {"slowdown", Company::alone, Division::shared},
+                {{"in company", [this] { return slowdown_in_company([this] { return piece_seconds(); }); }}})
+            .front();
+  }
+
+  /// Of some milliseconds of work like that of the runs.
+  double piece_seconds() const {
+    constexpr double share_of_limit = 0.25, limit = 2.828;
+    constexpr int steps_of_elements = 25000;
+    Case spec = on_mesh(fixed_elements());
+    spec.method = plain_method(classical_explicit());
+    spec.method.step = share_of_limit * limit / straight_frequency(spec.cable);
+    spec.time.end = std::min(spec.time.end, *spec.method.step * steps_of_elements / fixed_elements());
+    spec.time.output_interval = spec.time.end;
+    return integrate(spec).processor_seconds;
+  }
+
+  bool times_in_company() const { return slowdown_ <= undisturbed; }
+
+  std::string timing_in_words() const {
+    const std::string found = fmt::format("a run is {:.1f} % slower with another one on each other core",
+                                          100 * std::max(0.0, slowdown_ - 1));
+    return fmt::format("of the processor; {}: {}; {}",
+                       times_in_company() ? "one run a core" : "one run at a time",
+                       slowdown_ == 1 ? "there is but one core" : found, timing_rule());
+  }
+
   WorkPrecisionRun made_run(const MethodSpec& method, const Mesh& mesh) const {
     Case spec = on_mesh(mesh.elements);
     spec.method = method;
-    const Trajectory trajectory = integrate(spec, {}, extent_.time_limit);
+    const Trajectory trajectory = integrate(spec, {}, {extent_.time_limit, true});
     WorkPrecisionRun run;
     run.method = method;
     run.elements = mesh.elements;
@@ -140,19 +181,26 @@ class Computation {
     if (run.completed()) {
       run.time_error = error_norms(trajectory, mesh.reference.trajectory);
       run.total_error = error_norms(trajectory, meshes_.back().reference.trajectory);
-    } else if (run.outcome == Outcome::out_of_time) {
-      run.seconds = {trajectory.solve_seconds};
     }
+    run.foreseen_seconds = trajectory.foreseen_seconds;
+    if (times_in_company() || run.outcome == Outcome::out_of_time)
+      time_run(run, trajectory.processor_seconds);
     return run;
   }
 
   WorkPrecisionRun make_run(const MethodSpec& method, const Mesh& mesh) {
-    // What was out of time may be in time where more is allowed.
     return runner_.once<WorkPrecisionRun>("runs", {key(method, mesh), [&] { return made_run(method, mesh); }},
-                                          [this](const WorkPrecisionRun& known) {
-                                            return known.seconds.empty() ||
-                                                   known.seconds.front() >= 0.9 * extent_.time_limit;
-                                          });
+                                          [this](const WorkPrecisionRun& known) { return will_do(known); });
+  }
+
+  /// Of a run that may be another study's: what was out of time may be in time where more is allowed, and
+  /// what was timed once may be worth more.
+  bool will_do(const WorkPrecisionRun& known) const {
+    if (known.outcome == Outcome::out_of_time)
+      return known.foreseen_seconds >= CostForecast::far_beyond * extent_.time_limit ||
+             known.seconds.front() >= 0.9 * extent_.time_limit;
+    if (!known.completed() || !times_in_company()) return true;
+    return is_timed(known.seconds, extent_.repeats);
   }
 
   /// Why a curve should have no further run, or nothing. `next` is the run that would come.
@@ -265,39 +313,38 @@ class Computation {
     return result;
   }
 
-  /// How often a run that takes this long is timed: short ones more often, as they are disturbed more easily;
-  /// long ones less often. One that did not complete has no time that anything is read from.
-  int repeats(const WorkPrecisionRun& run, double seconds) const {
-    constexpr double is_short = 0.01, is_long = 0.5;
-    if (!run.completed()) return 1;
-    if (seconds < is_short) return 4 * extent_.repeats;
-    return seconds < is_long ? extent_.repeats : std::min(2, extent_.repeats);
+  double processor_time_of(const WorkPrecisionRun& run) const {
+    Case spec = on_mesh(run.elements);
+    spec.method = run.method;
+    return integrate(spec).processor_seconds;
   }
 
+  /// The time that it took, and those of repeats. One that did not complete has no time that anything is read
+  /// from.
+  void time_run(WorkPrecisionRun& run, double first) const {
+    run.seconds = {first};
+    while (run.completed() && !is_timed(run.seconds, extent_.repeats))
+      run.seconds.push_back(processor_time_of(run));
+  }
+
+  /// Those that were not where their errors were found.
   void time_runs(WorkPrecision& study) {
     std::vector<StudyPoint<std::vector<double>>> points;
     std::vector<WorkPrecisionRun*> timed;
     for (WorkPrecisionRun& run : study.runs) {
-      if (run.outcome == Outcome::out_of_time) continue;  // it would be so again
+      if (!run.seconds.empty()) continue;
       timed.push_back(&run);
       points.push_back({fmt::format("{} on {} elements, {} times", encode(run.method).dump(), run.elements,
                                     extent_.repeats),
-                        [this, &run] { return measured_seconds(run); }});
+                        [this, &run] {
+                          WorkPrecisionRun again = run;
+                          time_run(again, processor_time_of(run));
+                          return again.seconds;
+                        }});
     }
     const std::vector<std::vector<double>> seconds =
         runner_.run({"timing", Company::alone, Division::following}, points);
     for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->seconds = seconds[k];
-  }
-
-  std::vector<double> measured_seconds(const WorkPrecisionRun& run) const {
-    Case spec = on_mesh(run.elements);
-    spec.method = run.method;
-    std::vector<double> seconds;
-    for (int wanted = 1; std::ssize(seconds) < wanted;) {
-      seconds.push_back(integrate(spec).solve_seconds);
-      if (seconds.size() == 1) wanted = repeats(run, seconds.front());
-    }
-    return seconds;
   }
 
   Case spec_;
@@ -305,6 +352,7 @@ class Computation {
   StudyExtent extent_;
   bool quick_;
   Runner& runner_;
+  double slowdown_ = 1;       // of runs beside one another
   std::vector<Mesh> meshes_;  // the last one is that of the converged solution
   std::vector<CurvePlan> plans_;
   std::vector<CurveTask> tasks_;

@@ -4,10 +4,20 @@
 
 #include <algorithm>
 
+#include "engine/study/work_precision/cheapest.h"
+
 namespace plumb {
 
 double WorkPrecisionRun::work_seconds() const {
   return seconds.empty() ? -1 : *std::min_element(seconds.begin(), seconds.end());
+}
+
+double WorkPrecision::work(const WorkPrecisionRun& run) const {
+  return timed ? run.work_seconds() : static_cast<double>(run.counters.force_evaluations);
+}
+
+std::string WorkPrecision::work_in_words(double work) const {
+  return timed ? duration_in_words(work) : fmt::format("{:.0f} force evaluations", work);
 }
 
 std::string WorkPrecisionRun::setting() const {

@@ -21,9 +21,11 @@ struct WorkPrecisionRun {
   Outcome outcome = Outcome::not_run;
   std::string message;  ///< for an outcome other than completed
   Counters counters;    ///< of one run
-  /// Of the time loop, one an undisturbed repeat, in the order taken. Of a run that did not complete: once,
-  /// up to where it ended.
+  /// Of the processor in the time loop, one an undisturbed repeat, in the order taken. Of a run that did not
+  /// complete: once, up to where it ended.
   std::vector<double> seconds = {};
+  /// As of its trajectory; known while the study is made.
+  double foreseen_seconds = -1;
   ErrorNorms time_error;   ///< against the same mesh integrated exactly
   ErrorNorms total_error;  ///< against the mesh-converged solution
 
@@ -92,20 +94,30 @@ struct WorkPrecision {
   double length = 0;       ///< of the cable, m
   /// Of the fastest vibration of the case's mesh at the start, rad/s; 0: none.
   double fastest_frequency = 0;
+  /// False where its runs were computed on unlike machines, so that they have no times and work is counted.
+  bool timed = true;
   std::vector<WorkPrecisionRun> runs;
   std::vector<MethodCurve> curves;
   std::vector<CertifiedReference> mesh_references;  ///< one a mesh
   CertifiedReference converged_reference;
   /// Richardson's estimate of the mesh error of the converged reference itself, m; -1: not known.
   double converged_mesh_error = -1;
-  /// Pareto front of seconds and time_error.tip_max on the fixed mesh, of the runs that are not wrong.
+  /// Pareto front of work and time_error.tip_max on the fixed mesh, of the runs that are not wrong.
   std::vector<std::size_t> time_front;
-  std::vector<std::size_t> total_front;  ///< of seconds and total_error.tip_max over all meshes
+  std::vector<std::size_t> total_front;  ///< of work and total_error.tip_max over all meshes
   std::vector<CheapestRun> time_cheapest;
   std::vector<CheapestRun> total_cheapest;
   std::vector<CommonFloor> common_floors;
   std::optional<MeshConvergence> mesh;
   Provenance provenance;
+
+  /// What a run cost: seconds of the time loop where the study is timed, and force evaluations otherwise; -1:
+  /// not known.
+  double work(const WorkPrecisionRun& run) const;
+  /// "0.41 ms", "1.2 s"; "1520 force evaluations".
+  std::string work_in_words(double work) const;
+  /// "time loop [s]", "force evaluations"
+  std::string work_axis() const { return timed ? "time loop [s]" : "force evaluations"; }
 };
 
 /// A completed run that is further off than this share of the length is stable but wrong.

@@ -269,14 +269,14 @@ void read_references(const hdf5::Reader& file, WorkPrecision& study) {
   const auto elements = file.integers("references/elements");
   const Columns columns(file, elements.size());
   const auto first = columns.texts("references/first"), second = columns.texts("references/second");
-  const auto agreement = columns.numbers("references/agreement");
+  const auto agreements = columns.numbers("references/agreement");
   if (elements.empty()) inconsistent("references/elements");
   for (std::size_t k = 0; k < elements.size(); ++k) {
     CertifiedReference reference;
     reference.elements = elements_of(elements[k], "references/elements");
     reference.first = one_line(first[k]);
     reference.second = one_line(second[k]);
-    reference.agreement = agreement[k];
+    reference.agreement = agreements[k];
     if (k + 1 < elements.size())
       study.mesh_references.push_back(std::move(reference));
     else

@@ -25,6 +25,7 @@ void members(Archive& a, WorkPrecisionRun& run) {
   a("message", run.message);
   a("counters", run.counters);
   a("seconds", run.seconds);
+  a("foreseen_seconds", run.foreseen_seconds);
   a("time_error", run.time_error);
   a("total_error", run.total_error);
 }

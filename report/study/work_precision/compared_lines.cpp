@@ -12,7 +12,7 @@ namespace plumb {
 namespace {
 
 bool shown(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question) {
-  return fate_of(study, run, question) == RunFate::good && run.work_seconds() > 0;
+  return fate_of(study, run, question) == RunFate::good && study.work(run) > 0;
 }
 
 /// Cost of the line's best run over that of the cheapest run with at most its error; infinite without a run.
@@ -22,13 +22,13 @@ double handicap(const WorkPrecision& study, const StudyLine& line, const std::ve
   for (const std::size_t k : line.runs) {
     const WorkPrecisionRun& run = study.runs[k];
     if (!shown(study, run, question)) continue;
-    double cheapest = run.work_seconds();
+    double cheapest = study.work(run);
     for (const StudyLine& other : all)
       for (const std::size_t j : other.runs)
         if (shown(study, study.runs[j], question) &&
             errors_of(study.runs[j], question).tip_max <= errors_of(run, question).tip_max)
-          cheapest = std::min(cheapest, study.runs[j].work_seconds());
-    least = std::min(least, run.work_seconds() / cheapest);
+          cheapest = std::min(cheapest, study.work(study.runs[j]));
+    least = std::min(least, study.work(run) / cheapest);
   }
   return least;
 }

@@ -9,7 +9,7 @@
   const works = [
     { id: "seconds", name: "seconds of the time loop", axis: "time loop [s]" },
     { id: "force_evaluations", name: "force evaluations", axis: "force evaluations" },
-  ];
+  ].filter((work) => study.timed || work.id !== "seconds");
 
   // ---- numbers
 

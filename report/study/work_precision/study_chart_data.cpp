@@ -107,6 +107,7 @@ std::string study_chart_data(const WorkPrecision& study) {
   Json json;
   json["fixed_elements"] = study.fixed_elements;
   json["end"] = study.end;
+  json["timed"] = study.timed;
   json["wrong_beyond"] = study.length > 0 ? Json(wrong_beyond * study.length) : Json(nullptr);
   json["norms"] = Json::array();
   for (const ErrorNorm norm : error_norm_list)

@@ -52,7 +52,7 @@ class WorkFigure {
     lines_ = chosen_lines(study_, question_, most_drawn_curves);
     find_ranges();
     Panel panel;
-    panel.x = log_axis("time loop [s]", x_range_);
+    panel.x = log_axis(study_.work_axis(), x_range_);
     panel.y = log_axis(question_ == StudyQuestion::time ? "error of time integration: tip, greatest [m]"
                                                         : "total error: tip, greatest [m]",
                        y_range_);
@@ -77,7 +77,7 @@ class WorkFigure {
 
  private:
   double error(std::size_t run) const { return errors_of(study_.runs[run], question_).tip_max; }
-  double work(std::size_t run) const { return study_.runs[run].work_seconds(); }
+  double work(std::size_t run) const { return study_.work(study_.runs[run]); }
   RunFate fate(std::size_t run) const { return fate_of(study_, study_.runs[run], question_); }
 
   void find_ranges() {
@@ -149,14 +149,14 @@ class WorkFigure {
       points.push_back(fate(k) == RunFate::good ? WorkError{work(k), error(k)} : WorkError{});
     if (question_ == StudyQuestion::time) {
       // What is not good has no place on the axes, and breaks the line.
-      for (const WorkError& point : points) add_point(series, point.seconds, point.error);
+      for (const WorkError& point : points) add_point(series, point.work, point.error);
     } else {
       // Over several meshes, a method is as good as its own front; what lies behind stays as small points.
       const std::vector<std::size_t> best = pareto_front(points);
-      for (const std::size_t i : best) add_point(series, points[i].seconds, points[i].error);
+      for (const std::size_t i : best) add_point(series, points[i].work, points[i].error);
       for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i].error > 0 && std::find(best.begin(), best.end(), i) == best.end())
-          add_point(others, points[i].seconds, points[i].error);
+          add_point(others, points[i].work, points[i].error);
     }
     if (!others.x.empty()) panel.series.push_back(std::move(others));
     panel.series.push_back(std::move(series));
@@ -208,10 +208,10 @@ class WorkFigure {
         good += fate(k) == RunFate::good;
       }
     std::string text = fmt::format(
-        "Plot on logarithmic axes of the {} error of the tip in metres against the seconds of the time loop, "
-        "for "
-        "{} of {}: {} good, {} wrong, {} failed.",
-        question_ == StudyQuestion::time ? "time-integration" : "total", lines_.size(),
+        "Plot on logarithmic axes of the {} error of the tip in metres against the {}, "
+        "for {} of {}: {} good, {} wrong, {} failed.",
+        question_ == StudyQuestion::time ? "time-integration" : "total",
+        study_.timed ? "seconds of the time loop" : "number of force evaluations", lines_.size(),
         counted(static_cast<long>(all_.size()), "method", "methods"),
         counted(static_cast<long>(good), "run", "runs"), wrong, failed);
     const auto& cheapest = question_ == StudyQuestion::time ? study_.time_cheapest : study_.total_cheapest;

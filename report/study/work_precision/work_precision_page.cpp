@@ -249,6 +249,13 @@ data floor_rows(const WorkPrecision& study) {
   return rows;
 }
 
+/// Studies of earlier versions do not say it.
+std::string how_timed(const WorkPrecision& study) {
+  for (const auto& [name, value] : study.provenance)
+    if (name == "timing") return value;
+  return "one run at a time on one core";
+}
+
 std::string summary(const WorkPrecision& study) {
   const auto completed = std::count_if(study.runs.begin(), study.runs.end(),
                                        [](const WorkPrecisionRun& run) { return run.completed(); });
@@ -266,14 +273,16 @@ std::string summary(const WorkPrecision& study) {
                                                         : ", ",
                              mesh);
   return fmt::format(
-      "{}{} over {:.4g} s: {} of {} completed, {} on {} of {} elements. Work is the least time of the time "
-      "loop "
-      "over repeats, one run at a time on one core; an error is the greatest distance of the tip over time, "
+      "{}{} over {:.4g} s: {} of {} completed, {} on {} of {} elements. Work is {}; an error is the greatest "
+      "distance of the tip over time, "
       "where nothing else is said.",
       study.quick ? "A short study: " : "",
       counted(static_cast<long>(labels.size()), "variant of a method", "variants of methods"), study.end,
       completed, counted(static_cast<long>(study.runs.size()), "run", "runs"),
-      "each with several steps or tolerances", meshes.size() == 1 ? "a mesh" : "meshes", of_meshes);
+      "each with several steps or tolerances", meshes.size() == 1 ? "a mesh" : "meshes", of_meshes,
+      study.timed ? fmt::format("the least time of the time loop over repeats, {}", how_timed(study))
+                  : "counted in force evaluations, as the runs were computed on unlike machines, whose times "
+                    "cannot be held against one another");
 }
 
 std::string study_html(const WorkPrecision& study, const std::vector<Picture>& pictures) {

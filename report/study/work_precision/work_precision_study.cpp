@@ -59,7 +59,7 @@ void add_front(const WorkPrecision& study, std::vector<Finding>& lines) {
       return std::find(any.runs.begin(), any.runs.end(), k) != any.runs.end();
     });
     lines.push_back({fmt::format("  {:<{}}  {:<20}{:>10}   {:.2g} m", curve->label, label_width(study),
-                                 study.runs[k].setting(), duration_in_words(study.runs[k].work_seconds()),
+                                 study.runs[k].setting(), study.work_in_words(study.work(study.runs[k])),
                                  study.runs[k].time_error.tip_max)});
   }
 }

@@ -74,6 +74,11 @@ Json without_times(Json json) {
   return json;
 }
 
+/// What cores do to one another is measured, and more points are asked for where it is much.
+void take_as_undisturbed(Journal& journal) {
+  journal.add("slowdown: in company", "1");
+}
+
 /// A study in one piece.
 struct Whole {
   Json result;
@@ -82,6 +87,7 @@ struct Whole {
 
 Whole whole_of(const Make& make) {
   Journal journal;
+  take_as_undisturbed(journal);
   StoppedWorkers workers(never);
   Runner runner(journal, {}, workers);
   Json result = without_times(make(runner));
@@ -98,6 +104,7 @@ void expect_same_after_interruption(const Make& make, const Whole& whole, unsign
     const long kept = std::uniform_int_distribution<long>(1, points - 1)(draw);
     {
       Journal journal(path.string(), identity);
+      take_as_undisturbed(journal);
       StoppedWorkers workers(kept);
       Runner runner(journal, {}, workers);
       EXPECT_THROW(make(runner), Interrupted) << "after " << kept << " of " << points;
@@ -117,6 +124,7 @@ void expect_same_after_interruption(const Make& make, const Whole& whole, unsign
 std::string journal_of(const Make& make, Scope scope, const std::string& list = {}) {
   const JournalPath path;
   Journal journal;
+  take_as_undisturbed(journal);
   if (!list.empty()) {
     std::ofstream(path.string(), std::ios::binary) << list;
     journal.merge(path.string(), identity);
@@ -326,8 +334,8 @@ TEST(DividedStudy, IsDealtOutWholeAndOnce) {
 TEST(DividedStudy, KnowsWhoseTimesMayBeHeldAgainstOneAnother) {
   Journal journal;
   const Machine other{"other", "another processor", "r"};
-  journal.add("timing: 1", "1", other);
-  journal.add("errors: 1", "1", other);
+  journal.add("timing: 1", "1", 1, other);
+  journal.add("errors: 1", "1", 1, other);
   Runner runner(journal);
   const auto ask = [&](const char* part, int count) {
     std::vector<StudyPoint<int>> asked;
@@ -341,6 +349,41 @@ TEST(DividedStudy, KnowsWhoseTimesMayBeHeldAgainstOneAnother) {
   ask("here", 2);
   EXPECT_TRUE(runner.alike({"here"}));
   EXPECT_FALSE(runner.alike({"here", "errors"}));
+}
+
+/// Every second task is computed on another machine.
+class UnlikeWorkers : public Workers {
+ public:
+  void compute(const std::vector<Task>& tasks, Company company, const Take& take) override {
+    LocalWorkers().compute(tasks, company, [&](std::size_t task, TaskEnd end) {
+      if (task % 2 == 1) end.on = {"far", "another processor", "r"};
+      take(task, end);
+    });
+  }
+};
+
+TEST(DividedStudy, OnUnlikeMachinesCountsWorkAndHoldsNoTimesAgainstOneAnother) {
+  LoadedCase loaded = tiny_study_case();
+  Journal journal;
+  UnlikeWorkers workers;
+  Runner runner(journal, {}, workers);
+  const WorkPrecision study = run_work_precision(loaded.spec, false, runner);
+  EXPECT_FALSE(study.timed);
+  for (const WorkPrecisionRun& run : study.runs) EXPECT_TRUE(run.seconds.empty()) << run.setting();
+  ASSERT_FALSE(study.time_front.empty());
+  double before = 0;
+  for (const std::size_t k : study.time_front) {
+    const auto work = static_cast<double>(study.runs[k].counters.force_evaluations);
+    EXPECT_GT(work, before) << "the front is one of force evaluations";
+    EXPECT_EQ(study.work(study.runs[k]), work);
+    before = work;
+  }
+  ASSERT_FALSE(study.time_cheapest.empty());
+  EXPECT_NE(study.time_cheapest[0].in_words.find("force evaluations"), std::string::npos)
+      << study.time_cheapest[0].in_words;
+  std::map<std::string, std::string> said;
+  for (const auto& [name, value] : study.provenance) said[name] = value;
+  EXPECT_NE(said["points computed on far"].find("another processor"), std::string::npos);
 }
 
 }  // namespace divided_study_test

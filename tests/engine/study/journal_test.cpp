@@ -189,18 +189,21 @@ TEST(Journal, KnowsWhereEachPointWasComputed) {
   const Machine near{"near", "processor A", "r1"}, far{"far", "processor B", "r1"};
   {
     Journal journal(path.string(), of("a"));
-    journal.add("one", "1", near);
-    journal.add("two", "2", far);
-    journal.add("three", "3", near);
+    journal.add("one", "1", 0.25, near);
+    journal.add("two", "2", 3e-7, far);
+    journal.add("three", "3", -1, near);
   }
   Journal again(path.string(), of("a"));
   EXPECT_EQ(again.found(), 3U);
   EXPECT_EQ(again.machine_of("one"), near);
   EXPECT_EQ(again.machine_of("two"), far);
   EXPECT_EQ(again.machine_of("three"), near);
-  again.add("four", "4", {"third", "processor C", "r1"});
+  EXPECT_EQ(again.seconds_of("one"), 0.25);
+  EXPECT_EQ(again.seconds_of("two"), 3e-7);
+  EXPECT_EQ(again.seconds_of("three"), -1);
+  again.add("four", "4", 1, {"third", "processor C", "r1"});
   Journal merged;
-  merged.add("two", "second result", near);
+  merged.add("two", "second result", 1, near);
   merged.merge(path.string(), of("a"));
   EXPECT_EQ(merged.machine_of("four").host, "third");
   EXPECT_EQ(merged.find("two"), "second result") << "the first one stays";
@@ -245,6 +248,22 @@ TEST(Journal, LinesThatTwoMachinesWroteOverOneAnotherAreDoneAgain) {
   Journal merged;
   merged.merge(path.string(), of("a"));
   EXPECT_EQ(merged.points(), 3U) << "what comes after a hole is found";
+}
+
+TEST(Journal, OfAPointComputedTwiceTheLastResultCountsAndOfSeveralJournalsTheFirst) {
+  const JournalPath path;
+  {
+    Journal journal(path.string(), of("a"));
+    journal.add("one", "of another version");
+    journal.add("one", "[1]");
+  }
+  EXPECT_EQ(Journal(path.string(), of("a")).find("one"), "[1]");
+  Journal other, merged;
+  merged.merge(path.string(), of("a"));
+  other.add("one", "[2]");
+  write_text(path.string(), other.text(of("a")));
+  merged.merge(path.string(), of("a"));
+  EXPECT_EQ(merged.find("one"), "[1]");
 }
 
 TEST(Journal, IsForOneProgramAtATime) {

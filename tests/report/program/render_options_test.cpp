@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "render/image/png.h"
@@ -45,6 +47,25 @@ TEST_F(RenderOptions, SomeFramesKeepTheirNumbers) {
     names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{"0003.png", "0004.png", "0005.png"}));
+}
+
+TEST_F(RenderOptions, SharesOfFramesFollowOneAnotherAndAreAllOfThem) {
+  std::vector<std::string> names;
+  for (const char* share : {"1/3", "2/3", "3/3"}) {
+    const Ended ended = render({"--share", share});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const std::string frames = fmt::format("run.share-{}-of-3/frames", share[0]);
+    std::vector<std::string> own;
+    for (const auto& entry : fs::directory_iterator(*folder / frames)) own.push_back(entry.path().filename());
+    std::sort(own.begin(), own.end());
+    names.insert(names.end(), own.begin(), own.end());
+  }
+  std::vector<std::string> all;
+  for (int k = 0; k < 11; ++k) all.push_back(fmt::format("{:04}.png", k));
+  EXPECT_EQ(names, all);
+  const Ended beyond = render({"--share", "12/12", "--frames", "0:3"});
+  EXPECT_EQ(beyond.status, 0) << "the last of twelve has the last frame: " << beyond.err;
+  EXPECT_EQ(render({"--share", "1/12", "--frames", "0:3"}).status, 2);
 }
 
 TEST_F(RenderOptions, StandardOutputGetsTheSameFramesOneAfterAnother) {

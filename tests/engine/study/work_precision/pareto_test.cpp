@@ -9,7 +9,7 @@ namespace plumb {
 namespace study_pareto_test {
 
 bool beats(const WorkError& a, const WorkError& b) {
-  return a.seconds <= b.seconds && a.error <= b.error && (a.seconds < b.seconds || a.error < b.error);
+  return a.work <= b.work && a.error <= b.error && (a.work < b.work || a.error < b.error);
 }
 
 /// Few values, so that equal costs and errors are common.
@@ -22,7 +22,7 @@ std::vector<WorkError> some_runs() {
 }
 
 bool counts(const WorkError& run) {
-  return run.seconds >= 0 && run.error >= 0;
+  return run.work >= 0 && run.error >= 0;
 }
 
 TEST(StudyPareto, NoRunBeatsOneOfTheFront) {
@@ -41,7 +41,7 @@ TEST(StudyPareto, EveryOtherRunIsBeatenOrEqualledByOneOfTheFront) {
     const std::vector<std::size_t> front = pareto_front(runs);
     for (const WorkError& run : runs)
       RC_ASSERT(!counts(run) || std::any_of(front.begin(), front.end(), [&](std::size_t k) {
-        return runs[k].seconds <= run.seconds && runs[k].error <= run.error;
+        return runs[k].work <= run.work && runs[k].error <= run.error;
       }));
   }));
 }
@@ -51,7 +51,7 @@ TEST(StudyPareto, TheFrontRisesInCostAndFallsInError) {
     const std::vector<WorkError> runs = some_runs();
     const std::vector<std::size_t> front = pareto_front(runs);
     for (std::size_t k = 1; k < front.size(); ++k) {
-      RC_ASSERT(runs[front[k - 1]].seconds < runs[front[k]].seconds);
+      RC_ASSERT(runs[front[k - 1]].work < runs[front[k]].work);
       RC_ASSERT(runs[front[k - 1]].error > runs[front[k]].error);
     }
   }));

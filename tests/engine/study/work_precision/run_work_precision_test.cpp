@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "engine/base/errors.h"
+#include "engine/study/work_precision/timing.h"
 #include "tests/engine/study/in_memory.h"
 #include "tests/engine/study/journal_file.h"
 #include "tests/engine/study/work_precision/tiny_study.h"
@@ -61,8 +62,9 @@ TEST(WorkPrecisionRun, FindsErrorsOrdersFrontsAndTheMeshConvergence) {
     EXPECT_EQ(run.completed(), run.time_error.tip_max >= 0) << run.message;
     EXPECT_EQ(run.completed(), run.message.empty()) << run.message;
     if (run.completed()) {
-      // Short runs are repeated four times as often; which are short is for the machine to say.
-      EXPECT_TRUE(run.seconds.size() == 8 || run.seconds.size() == 2) << run.seconds.size();
+      EXPECT_TRUE(is_timed(run.seconds, 2)) << run.seconds.size();
+      const std::vector<double> before(run.seconds.begin(), run.seconds.end() - 1);
+      EXPECT_FALSE(is_timed(before, 2)) << "repeated though it was settled";
     }
   }
   for (const std::size_t k : study.time_front) EXPECT_EQ(study.runs[k].elements, 2);
