@@ -92,12 +92,16 @@ std::string implausible_stress(const Case& spec, const Trajectory& run) {
 }
 
 std::string held_back_by_stability(const Case& spec, const Trajectory& run) {
-  constexpr const char* implicit_method = "arkode-dirk";
   constexpr double near = 0.4, few = 0.5;  // of the limit of stability; of the steps
   const MethodInfo* info = find_method(spec.method.name);
-  const MethodInfo* other = find_method(implicit_method);
-  if (info == nullptr || info->implicit || !info->dynamic || !spec.method.rtol || spec.method.step ||
-      run.outcome != Outcome::completed || run.counters.steps <= 0 || !takes(*other, spec))
+  // Implicit stages and tolerances are what it takes to step over vibrations and keep the accuracy.
+  const auto others = method_infos();
+  const auto other = std::find_if(others.begin(), others.end(), [](const MethodInfo& one) {
+    return one.family == MethodFamily::implicit_stages && one.takes_tolerances;
+  });
+  if (other == others.end() || info == nullptr || info->implicit || !info->dynamic || !spec.method.rtol ||
+      spec.method.step || run.outcome != Outcome::completed || run.counters.steps <= 0 ||
+      !takes(*other, spec))
     return "";
   const double step = run.end_time / static_cast<double>(run.counters.steps);
   const double turned = step * fastest_frequency_at_start(spec);
@@ -120,8 +124,8 @@ std::string held_back_by_stability(const Case& spec, const Trajectory& run) {
       "{:.2g} rad "
       "each; {} with the same tolerances takes {}, in {:.3g} instead of {:.3g} s, and ends {:.2g} m away "
       "(tried)",
-      spec.method.name, run.counters.steps, turned, implicit_method, found.counters.steps,
-      found.solve_seconds, run.solve_seconds, apart);
+      spec.method.name, run.counters.steps, turned, other->name, found.counters.steps, found.solve_seconds,
+      run.solve_seconds, apart);
 }
 
 }  // namespace plumb
