@@ -95,7 +95,7 @@ class Search {
     member.trajectory = integrate(with_candidate(spec_, candidate));
     member.tried.outcome = member.trajectory.outcome;
     member.tried.message = member.trajectory.message;
-    member.tried.seconds = member.trajectory.solve_seconds;
+    member.tried.seconds = member.trajectory.processor_seconds;
     return member;
   }
 

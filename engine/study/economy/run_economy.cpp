@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
+#include "engine/base/parallel.h"
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_roles.h"
 #include "engine/model/straight_frequency.h"
@@ -15,6 +17,7 @@
 #include "engine/study/economy/economy_members.h"
 #include "engine/study/economy/economy_scenes.h"
 #include "engine/study/economy/model_selection.h"
+#include "engine/study/slowdown.h"
 
 namespace plumb {
 namespace {
@@ -50,8 +53,12 @@ Trajectory by_implicit(const Case& spec, int elements) {
 }
 
 Truth truth_of(const Case& spec, int elements, bool two_methods) {
-  Truth truth{by_explicit(spec, elements), by_explicit(spec, elements / 2), {}};
-  if (two_methods) truth.by_another_method = by_implicit(spec, elements);
+  Truth truth;
+  for_each_in_parallel(two_methods ? 3 : 2, [&](std::size_t k) {
+    if (k == 0) truth.motion = by_explicit(spec, elements);
+    if (k == 1) truth.on_half_the_mesh = by_explicit(spec, elements / 2);
+    if (k == 2) truth.by_another_method = by_implicit(spec, elements);
+  });
   return truth;
 }
 
@@ -82,7 +89,7 @@ double least_seconds(const Case& spec, const Candidate& candidate) {
   constexpr int repeats = 3;
   double least = INFINITY;
   for (int k = 0; k < repeats; ++k)
-    least = std::min(least, integrate(with_candidate(spec, candidate)).solve_seconds);
+    least = std::min(least, integrate(with_candidate(spec, candidate)).processor_seconds);
   return least;
 }
 
@@ -127,8 +134,11 @@ std::vector<std::pair<std::string, Case>> pictures_of(const Case& file_case, con
 std::array<double, 2> safe_run(const Case& spec) {
   constexpr double time_limit = 120;
   const Trajectory safe = integrate(with_candidate(spec, safe_candidate(spec)), {}, time_limit);
-  return {safe.solve_seconds, safe.end_time};
+  return {safe.processor_seconds, safe.end_time};
 }
+
+/// Which begins first: what takes longest and cannot be divided, and then what others wait for.
+constexpr double work_of_safe_run = 1000, work_of_proof = 100;
 
 bool has_both(const TriedCandidate& tried) {
   return tried.estimate > 0 && std::isfinite(tried.estimate) && tried.true_error >= 0;
@@ -183,29 +193,33 @@ EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, 
   study.spec = economy_study_of(loaded.spec);
   const std::vector<std::pair<std::string, Case>> pictures = pictures_of(loaded.spec, study.spec);
 
-  // What is timed is computed alone.
+  const double slowdown = slowdown_in_company(loaded.spec, runner);
+  const Company timed = company_of_timed(slowdown);
   std::vector<StudyPoint<SceneNeed>> choices;
   for (const auto& [name, spec] : pictures)
     choices.push_back({name, [&, name = name, spec = spec] { return need_of(name, spec, gauge_of); }});
-  const std::vector<SceneNeed> needs = runner.run({"choosing", Company::alone, Division::shared}, choices);
+  const std::vector<SceneNeed> needs = runner.run({"choosing", timed, Division::shared}, choices);
 
   int elements = study.spec.reference_elements;
   for (const SceneNeed& need : needs)
     elements = std::max(elements, reference_elements(study.spec, need.economy));
   study.reference = truth_in_words(loaded.spec, elements);
   std::optional<Truth> truth;  // made where a proof is to be computed
+  std::once_flag truth_made;
   std::vector<StudyPoint<SceneNeed>> proofs;
   for (std::size_t k = 0; k < pictures.size(); ++k)
-    proofs.push_back({pictures[k].first, [&, k] {
-                        if (!truth) truth = truth_of(loaded.spec, elements, true);
+    proofs.push_back({pictures[k].first,
+                      [&, k] {
+                        std::call_once(truth_made, [&] { truth = truth_of(loaded.spec, elements, true); });
                         SceneNeed need = needs[k];
                         prove(pictures[k].second, *truth, gauge_of, need);
                         return need;
-                      }});
-  const auto needs_proven = runner.plan({"proving", Company::alone}, proofs);
+                      },
+                      work_of_proof});
+  const auto needs_proven = runner.plan({"proving", timed}, proofs);
 
-  const auto safe = runner.plan<std::array<double, 2>>({"safe default", Company::alone},
-                                                       {{"one run", [&] { return safe_run(loaded.spec); }}});
+  const auto safe = runner.plan<std::array<double, 2>>(
+      {"safe default", timed}, {{"one run", [&] { return safe_run(loaded.spec); }, work_of_safe_run}});
 
   std::vector<StudyPoint<RandomScene>> scenes;
   for (long k = 0; k < study.spec.scenes; ++k)
@@ -221,6 +235,7 @@ EconomyStudy run_economy(const LoadedCase& loaded, const GaugeOfCase& gauge_of, 
   study.safe_end = safe->front()[1];
   study.scenes = std::move(*random_scenes);
   study.provenance = runner.provenance();
+  study.provenance.emplace_back("timing", "of the processor; " + slowdown_in_words(slowdown));
   return study;
 }
 

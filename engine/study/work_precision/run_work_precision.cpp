@@ -8,11 +8,10 @@
 #include "engine/base/parallel.h"
 #include "engine/integrate/cost_forecast.h"
 #include "engine/integrate/integrate.h"
-#include "engine/integrate/method_roles.h"
 #include "engine/model/greatest_eigenfrequency.h"
-#include "engine/model/straight_frequency.h"
 #include "engine/study/reference/grid_convergence.h"
 #include "engine/study/reference/method_curves.h"
+#include "engine/study/slowdown.h"
 #include "engine/study/work_precision/timing.h"
 #include "engine/study/work_precision/work_precision_members.h"
 
@@ -58,7 +57,7 @@ class Computation {
 
   WorkPrecision make() {
     make_references();
-    find_slowdown();
+    slowdown_ = slowdown_in_company(on_mesh(fixed_elements()), runner_);
     make_curves();
     WorkPrecision study = collect();
     time_runs(study);
@@ -68,7 +67,8 @@ class Computation {
       for (WorkPrecisionRun& run : study.runs) run.seconds.clear();
     evaluate(study);
     study.provenance = runner_.provenance();
-    study.provenance.emplace_back("timing", timing_in_words());
+    study.provenance.emplace_back(
+        "timing", fmt::format("of the processor; {}; {}", slowdown_in_words(slowdown_), timing_rule()));
     return study;
   }
 
@@ -136,37 +136,7 @@ class Computation {
                        encode(meshes_.back().reference).dump());
   }
 
-  /// What cores do to one another is found out once, before anything is timed.
-  void find_slowdown() {
-    slowdown_ =
-        runner_
-            .run<double>(
-                {"slowdown", Company::alone, Division::shared},
-                {{"in company", [this] { return slowdown_in_company([this] { return piece_seconds(); }); }}})
-            .front();
-  }
-
-  /// Of some milliseconds of work like that of the runs.
-  double piece_seconds() const {
-    constexpr double share_of_limit = 0.25, limit = 2.828;
-    constexpr int steps_of_elements = 25000;
-    Case spec = on_mesh(fixed_elements());
-    spec.method = plain_method(classical_explicit());
-    spec.method.step = share_of_limit * limit / straight_frequency(spec.cable);
-    spec.time.end = std::min(spec.time.end, *spec.method.step * steps_of_elements / fixed_elements());
-    spec.time.output_interval = spec.time.end;
-    return integrate(spec).processor_seconds;
-  }
-
-  bool times_in_company() const { return slowdown_ <= undisturbed; }
-
-  std::string timing_in_words() const {
-    const std::string found = fmt::format("a run is {:.1f} % slower with another one on each other core",
-                                          100 * std::max(0.0, slowdown_ - 1));
-    return fmt::format("of the processor; {}: {}; {}",
-                       times_in_company() ? "one run a core" : "one run at a time",
-                       slowdown_ == 1 ? "there is but one core" : found, timing_rule());
-  }
+  bool times_in_company() const { return company_of_timed(slowdown_) == Company::together; }
 
   WorkPrecisionRun made_run(const MethodSpec& method, const Mesh& mesh) const {
     Case spec = on_mesh(mesh.elements);

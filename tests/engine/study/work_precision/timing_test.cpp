@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/study/slowdown.h"
+
 namespace plumb {
 namespace timing_test {
 
@@ -28,6 +30,13 @@ TEST(Timing, NoneIsRepeatedMoreOftenThanAskedForAndVeryShortOnesFourTimesAsOften
   EXPECT_TRUE(is_timed({0.05}, 1));
   EXPECT_FALSE(is_timed({0.005}, 1));
   EXPECT_TRUE(is_timed({0.005, 0.006, 0.007, 0.008}, 1));
+}
+
+TEST(Timing, WhatSlowsOneAnotherIsTimedAlone) {
+  EXPECT_EQ(company_of_timed(1.01), Company::together);
+  EXPECT_EQ(company_of_timed(1.5), Company::alone);
+  EXPECT_EQ(slowdown_in_words(1.5),
+            "one run at a time: a run is 50.0 % slower with another one on each other core");
 }
 
 TEST(Timing, CoresThatSlowOneAnotherAreFound) {
