@@ -25,7 +25,7 @@ class Bdf : public Method {
       : order_(static_cast<int>(spec.parameters.at("order"))),
         h_(spec.step.value()),
         steps_(h_),
-        stage_(spec, dynamics),
+        stage_(spec, dynamics, weight_of_leftover),
         states_(static_cast<std::size_t>(order_ + 1), start) {
     MethodSpec starter = spec;
     starter.name = "gauss";
@@ -102,6 +102,9 @@ class Bdf : public Method {
     return {};
   }
 
+  /// Each state is weighed several times, and its rates follow from differences over h.
+  static constexpr double weight_of_leftover = 10;
+
   int order_;
   double h_;  // s
   FixedSteps steps_;
@@ -142,8 +145,8 @@ MethodEntry bdf_entry() {
   info.cost = {6600, 8000};
   info.amplification = bdf_amplification;
   info.parameters = newton_parameters();
-  // As for the Gauss method: what the iteration leaves over is a velocity of its size over h.
-  info.parameters.front().fallback = 1e-14;
+  // Less than the errors of the higher orders.
+  info.parameters.front().fallback = 1e-11;
   info.parameters.insert(info.parameters.begin(),
                          {.name = "order",
                           .meaning = "order of accuracy; 2 and below are stable at every oscillation",

@@ -333,8 +333,7 @@ MethodEntry gauss_entry() {
   info.cost = {6200, 10000};
   info.amplification = gauss_amplification;
   info.parameters = newton_parameters();
-  // What the iteration leaves over is a velocity of its size over h, step after step: more than a high order
-  // allows.
+  // Less than the errors of a high order.
   info.parameters.front().fallback = 1e-13;
   return {info, made<Gauss>};
 }

@@ -18,8 +18,8 @@ constexpr double astray = 1;
 
 }  // namespace
 
-ImplicitStage::ImplicitStage(const MethodSpec& spec, Dynamics& dynamics)
-    : tolerance_(spec.parameters.at("newton_tolerance") * dynamics.cable().length()),
+ImplicitStage::ImplicitStage(const MethodSpec& spec, Dynamics& dynamics, double weight)
+    : tolerance_(leftover_of_a_step(spec, dynamics, weight)),
       iterations_(static_cast<int>(spec.parameters.at("newton_iterations"))),
       dynamics_(dynamics),
       wear_(price) {}

@@ -14,13 +14,13 @@ namespace plumb {
 /// seen, is within the tolerance.
 class ImplicitStage {
  public:
-  /// Takes newton_tolerance and newton_iterations of `spec`.
-  ImplicitStage(const MethodSpec& spec, Dynamics& dynamics);
+  /// Takes newton_tolerance and newton_iterations of `spec`. `weight`: as of leftover_of_a_step().
+  ImplicitStage(const MethodSpec& spec, Dynamics& dynamics, double weight = 1);
 
   /// Solves for x, from the estimate in `stage`, of which x may not be a part; `at` are its time and rates.
   /// `position`: how far q moves with x, s², which sets the scale of a correction. `leftover`: what may be
-  /// left of an error in position where that is less than newton_tolerance, m. After a failure x is of no
-  /// meaning.
+  /// left of an error in position where that is less than newton_tolerance asks for, m. After a failure x is
+  /// of no meaning.
   StepResult solve(const StageTerms& stage, const Instant& at, double position, Eigen::VectorXd& x,
                    double leftover = std::numeric_limits<double>::infinity());
 

@@ -160,6 +160,11 @@ MethodEntry statics_entry() {
   info.takes_step = true;
   info.cost = {6000, 20000};
   info.parameters = newton_parameters();
+  info.parameters.front().meaning =
+      "largest error left of a position, or of a slope times the element length, as a fraction of the "
+      "cable's "
+      "length";
+  info.parameters.front().fallback = 1e-10;
   MethodParameter follow;
   follow.name = "follow";
   follow.meaning =

@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "engine/integrate/methods/newton.h"
 #include "engine/integrate/sundials/arkode_method.h"
 #include "engine/integrate/sundials/arkode_tables.h"
 #include "engine/integrate/sundials/reduced_linear_solver.h"
@@ -45,7 +46,7 @@ class ArkodeDirk : public sundials::ArkodeMethod {
     ARKStepSetDeduceImplicitRhs(ark, SUNTRUE);
     ARKStepSetMaxNonlinIters(ark, static_cast<int>(spec.parameters.at("newton_iterations")));
     if (has_fixed_step()) {
-      tolerate(spec.parameters.at("newton_tolerance") * dynamics.cable().length(), *spec.step);
+      tolerate(leftover_of_a_step(spec, dynamics, weight_of_leftover), *spec.step);
     } else {
       ARKStepSVtolerances(ark, *spec.rtol, absolute_tolerances(*spec.atol).get());
       ARKStepSetPredictorMethod(ark, maximum_order);
@@ -66,6 +67,8 @@ class ArkodeDirk : public sundials::ArkodeMethod {
   /// is, however short the step: with a tenth, the library's own choice, it can exceed the tolerance at every
   /// step.
   static constexpr double iteration_share = 0.01;
+  /// The library asks for the root mean square of what is left, in each of several stages.
+  static constexpr double weight_of_leftover = 10;
 
   /// Ends Newton's iteration where the corrections are below a length (m): slopes count by the length of an
   /// element, rates by the step h (s).
@@ -132,11 +135,10 @@ MethodEntry arkode_dirk_entry() {
        .fallback = 5,
        .whole = true},
       {.name = "newton_tolerance",
-       .meaning = "with a fixed step: correction of a position, or of a slope times the element length, in "
-                  "the root mean square, that ends Newton's iteration, as a fraction of the cable's length",
+       .meaning = newton_tolerance_meaning,
        .minimum = 1e-15,
        .maximum = 1e-3,
-       .fallback = 1e-11},
+       .fallback = 1e-9},
       {.name = "newton_iterations",
        .meaning = "most corrections in a stage",
        .minimum = 1,

@@ -57,6 +57,30 @@ TEST(NewtonLeftover, IsWithinTheToleranceOfTheIteration) {
       }
 }
 
+TEST(NewtonLeftover, OfAllStepsAddsNoMoreToTheEndThanTheTolerance) {
+  const Case spec = pendulum(5, 4);
+  const TimeSpec time{1, 0.1};
+  for (const char* name : {"implicit-euler", "trapezoidal", "hht", "generalized-alpha", "implicit-midpoint",
+                           "energy-momentum", "arkode-dirk", "gauss", "bdf"})
+    for (const double h : {2e-3, 2e-4}) {
+      const auto with = [&](double tolerance) {
+        MethodSpec chosen = method(name, h);
+        chosen.parameters["newton_tolerance"] = tolerance;
+        return run(spec, chosen, time);
+      };
+      const Trajectory exact = with(1e-14);
+      ASSERT_EQ(exact.outcome, Outcome::completed) << name << ", h = " << h << ": " << exact.message;
+      for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+        const Trajectory run = with(tolerance);
+        double added = 0;  // m, of a cable of 1 m
+        for (std::size_t k = 0; k < run.q.size(); ++k)
+          for (Eigen::Index node = 0; node < run.q[k].size(); node += 6)
+            added = std::max(added, (run.q[k] - exact.q[k]).segment<3>(node).norm());
+        EXPECT_LE(added, tolerance) << fmt::format("{}, h = {}: {:.2g} m", name, h, added);
+      }
+    }
+}
+
 TEST(NewtonLeftover, TakesTwoCorrectionsInShortStepsOfASmoothMotion) {
   const Case spec = pendulum(5, 4);
   for (const char* name :
