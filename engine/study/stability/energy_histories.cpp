@@ -29,20 +29,21 @@ EnergyHistory history_of(const MethodSetting& variant, const Case& of, double pa
 
 }  // namespace
 
-std::vector<EnergyHistory> energy_histories(const std::vector<MethodSetting>& variants,
-                                            const std::vector<Case>& cases,
-                                            const std::vector<double>& parameters, double step,
-                                            double time_limit, Runner& runner) {
+Runner::Planned<EnergyHistory> plan_energy_histories(const std::vector<MethodSetting>& variants,
+                                                     const std::vector<Case>& cases,
+                                                     const std::vector<double>& parameters, double step,
+                                                     double time_limit, Runner& runner) {
   std::vector<const MethodSetting*> chosen;
   for (const MethodSetting& variant : variants)
     if (variant.by_step && variant.info->family == MethodFamily::structural) chosen.push_back(&variant);
   std::vector<StudyPoint<EnergyHistory>> points;
   for (std::size_t c = 0; c < cases.size(); ++c)
     for (const MethodSetting* variant : chosen)
-      points.push_back({fmt::format("{}, parameter {}", variant->label, parameters[c]), [&, variant, c] {
-                          return history_of(*variant, cases[c], parameters[c], step, time_limit);
+      points.push_back({fmt::format("{}, parameter {}", variant->label, parameters[c]),
+                        [variant = *variant, spec = cases[c], parameter = parameters[c], step, time_limit] {
+                          return history_of(variant, spec, parameter, step, time_limit);
                         }});
-  return runner.run("energies", points);
+  return runner.plan("energies", std::move(points));
 }
 
 }  // namespace plumb

@@ -8,12 +8,12 @@
 
 namespace plumb {
 
-/// The energy over time of the schemes among `variants` that structural dynamics uses (family
+/// Plans the energy over time of the schemes among `variants` that structural dynamics uses (family
 /// `structural`), all with one step (s), on each of the cases. `parameters`
 /// are those of the cases.
-std::vector<EnergyHistory> energy_histories(const std::vector<MethodSetting>& variants,
-                                            const std::vector<Case>& cases,
-                                            const std::vector<double>& parameters, double step,
-                                            double time_limit, Runner& runner);
+Runner::Planned<EnergyHistory> plan_energy_histories(const std::vector<MethodSetting>& variants,
+                                                     const std::vector<Case>& cases,
+                                                     const std::vector<double>& parameters, double step,
+                                                     double time_limit, Runner& runner);
 
 }  // namespace plumb

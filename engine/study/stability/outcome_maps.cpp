@@ -49,16 +49,21 @@ std::vector<StabilityPoint> points_of(const MapRun& run, double tolerance, doubl
   Case spec = run.motion->spec;
   spec.time.end = run.ends.back();
   spec.method = run.variant->with(run.setting);
-  const Trajectory trajectory = integrate(spec, {}, time_limit);
+  // Where it is looked at several times, the earlier ones may be reached in time.
+  const bool looked_at_once = run.ends.size() == 1;
+  const Trajectory trajectory = integrate(spec, {}, {time_limit, looked_at_once});
   std::vector<StabilityPoint> points;
   for (const double end : run.ends) points.push_back(point_of(trajectory, *run.motion, end, tolerance));
   return points;
 }
 
-/// A guess, to begin with the longest.
-double work(const MapRun& run) {
+/// A guess, to begin with the longest, s.
+double work(const MapRun& run, double time_limit) {
+  constexpr double seconds_of_element_step = 1e-7, implicit_over_explicit = 10;
   const double steps = run.variant->by_step ? run.ends.back() / run.setting : 1e3;
-  return steps * run.motion->spec.cable.elements * (run.variant->info->implicit ? 10 : 1);
+  const double guess = seconds_of_element_step * steps * run.motion->spec.cable.elements *
+                       (run.variant->info->implicit ? implicit_over_explicit : 1);
+  return std::min(guess, time_limit);
 }
 
 class Maps {
@@ -87,13 +92,15 @@ class Maps {
       points.push_back({fmt::format("{}, {}, {}, to {} s", run.variant->label, run.setting,
                                     run.motion->in_words(), fmt::join(run.ends, ", ")),
                         [this, &run] { return points_of(run, what_.tolerance, what_.time_limit); },
-                        work(run)});
-    std::vector<std::vector<StabilityPoint>> found = runner.run("maps", points);
-    for (std::size_t k = 0; k < runs_.size(); ++k) {
-      runs_[k].points = std::move(found[k]);
-      runs_[k].points.resize(runs_[k].ends.size());  // of a run that another share computes
-    }
+                        work(run, what_.time_limit)});
+    found_ = runner.plan("maps", std::move(points));
+  }
+
+  std::vector<OutcomeMap> collect() {
+    for (std::size_t k = 0; k < runs_.size(); ++k) runs_[k].points = std::move((*found_)[k]);
     for (const MapRun& run : runs_) by_key_[{run.variant, run.motion, run.setting}] = &run;
+    for (std::size_t k = 0; k < asked_.size(); ++k) limits_[asked_[k]] = (*found_limits_)[k];
+    return made_maps();
   }
 
   /// Of each variant on each motion.
@@ -101,25 +108,23 @@ class Maps {
     std::vector<const ReferenceMotion*> motions{&motions_.base};
     for (const ReferenceMotion& motion : motions_.parameters) motions.push_back(&motion);
     for (const ReferenceMotion& motion : motions_.elements) motions.push_back(&motion);
-    std::vector<std::pair<const MethodSetting*, const ReferenceMotion*>> asked;
     for (const MethodSetting& variant : variants_) {
       const LimitKind kind = variant.by_step ? limit_kind(variant.with(1)) : LimitKind::none;
       if (kind != LimitKind::vibration && kind != LimitKind::contraction) continue;
-      for (const ReferenceMotion* motion : motions) asked.emplace_back(&variant, motion);
+      for (const ReferenceMotion* motion : motions) asked_.emplace_back(&variant, motion);
     }
     std::vector<StudyPoint<PredictedLimit>> points;
-    for (const auto& [variant, motion] : asked)
+    for (const auto& [variant, motion] : asked_)
       points.push_back({fmt::format("{}, {}", variant->label, motion->in_words()),
                         [this, variant = variant, motion = motion] {
                           return predicted_limit(
                               variant->method, Cable(motion->spec), until(motion->trajectory, end_),
                               motion->summary.frequency_at_start, motion->summary.frequency_at_worst);
                         }});
-    const std::vector<PredictedLimit> limits = runner.run("predicted limits", points);
-    for (std::size_t k = 0; k < asked.size(); ++k) limits_[asked[k]] = limits[k];
+    found_limits_ = runner.plan("predicted limits", std::move(points));
   }
 
-  std::vector<OutcomeMap> collect() const {
+  std::vector<OutcomeMap> made_maps() const {
     std::vector<OutcomeMap> maps;
     for (const MethodSetting& variant : variants_) {
       if (!what_.parameter_values.empty())
@@ -191,6 +196,9 @@ class Maps {
   std::vector<double> ends_of_base_;
   std::vector<MapRun> runs_;
   std::map<Key, const MapRun*> by_key_;
+  Runner::Planned<std::vector<StabilityPoint>> found_;
+  std::vector<std::pair<const MethodSetting*, const ReferenceMotion*>> asked_;
+  Runner::Planned<PredictedLimit> found_limits_;
   std::map<std::pair<const MethodSetting*, const ReferenceMotion*>, PredictedLimit> limits_;
 };
 
@@ -215,14 +223,14 @@ const ReferenceMotion& StabilityMotions::on_mesh(int count) const {
   return base;
 }
 
-std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
-                                     const std::vector<MethodSetting>& variants,
-                                     const StabilityMotions& motions, Runner& runner) {
-  Maps maps(what, end, variants, motions);
-  maps.plan();
-  maps.predict(runner);
-  maps.execute_all(runner);
-  return maps.collect();
+std::function<std::vector<OutcomeMap>()> plan_outcome_maps(const StabilitySpec& what, double end,
+                                                           const std::vector<MethodSetting>& variants,
+                                                           const StabilityMotions& motions, Runner& runner) {
+  const auto maps = std::make_shared<Maps>(what, end, variants, motions);
+  maps->plan();
+  maps->predict(runner);
+  maps->execute_all(runner);
+  return [maps] { return maps->collect(); };
 }
 
 }  // namespace plumb

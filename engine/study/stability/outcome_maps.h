@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "engine/case/case.h"
@@ -21,12 +22,12 @@ struct StabilityMotions {
   const ReferenceMotion& on_mesh(int elements) const;
 };
 
-/// Runs every variant over steps (or tolerances) and each of parameter, elements and duration, in parallel
-/// over the processors, and judges each run by its reference. A run to the longest duration serves for the
-/// shorter ones.
-std::vector<OutcomeMap> outcome_maps(const StabilitySpec& what, double end,
-                                     const std::vector<MethodSetting>& variants,
-                                     const StabilityMotions& motions, Runner& runner);
+/// Plans runs of every variant over steps (or tolerances) and each of parameter, elements and duration, each
+/// judged by its reference. A run to the longest duration serves for the shorter ones. What is returned makes
+/// the maps of them once the runner has computed all; it, and what it is given here, must last as long.
+std::function<std::vector<OutcomeMap>()> plan_outcome_maps(const StabilitySpec& what, double end,
+                                                           const std::vector<MethodSetting>& variants,
+                                                           const StabilityMotions& motions, Runner& runner);
 
 /// `count` values of equal ratio, rising from `least` to `greatest`.
 std::vector<double> equal_ratios(double least, double greatest, int count);

@@ -25,7 +25,8 @@ class StabilityStudy {
       : loaded_(loaded),
         runner_(runner),
         what_(stability_of(loaded.spec)),
-        variants_(method_variants(what_.methods)) {}
+        variants_(method_variants(what_.methods)),
+        limit_variants_(method_variants(what_.limit_methods)) {}
 
   Stability make() {
     Stability study;
@@ -37,10 +38,10 @@ class StabilityStudy {
     study.duration = std::max(what_.durations.back(), study.end);
     study.tolerance = what_.tolerance;
     make_motions(study.duration);
-    study.maps = outcome_maps(what_, study.end, variants_, motions_, runner_);
-    study.critical_steps = critical_steps();
-    study.energies = energy_histories(variants_, energy_cases(), energy_parameters(), what_.energy_step,
-                                      long_limit(), runner_);
+    const auto maps = plan_outcome_maps(what_, study.end, variants_, motions_, runner_);
+    const auto steps = plan_critical_steps();
+    const auto energies = plan_energy_histories(variants_, energy_cases(), energy_parameters(),
+                                                what_.energy_step, long_limit(), runner_);
     const auto amplifications = runner_.plan<std::vector<ModeAmplification>>(
         "amplification", {{"all", [&] {
                              return mode_amplifications(variants_, loaded_.spec, {3, 4, 5, 6, 8, 12, 20, 50});
@@ -49,8 +50,11 @@ class StabilityStudy {
         "statistics",
         {{"all",
           [&] { return motion_statistics(energy_motions(), variants_, what_.energy_step, long_limit()); }}});
-    runner_.compute("amplification");
+    runner_.compute("maps");
     runner_.conclude();
+    study.maps = maps();
+    study.critical_steps = std::move(*steps);
+    study.energies = std::move(*energies);
     study.amplifications = std::move(amplifications->front());
     study.statistics = std::move(statistics->front());
     for (const ReferenceMotion* motion : all_motions()) {
@@ -111,7 +115,7 @@ class StabilityStudy {
                           trajectories[k] = std::move(motion.trajectory);
                           return motion;
                         },
-                        1.0 * spec.cable.elements});
+                        spec.cable.elements * spec.time.end});
     }
     std::vector<ReferenceMotion> motions = runner_.run({"references", Division::shared}, points);
     for_each_in_parallel(cases.size(), [&](std::size_t k) {
@@ -137,22 +141,21 @@ class StabilityStudy {
     return all;
   }
 
-  std::vector<CriticalStep> critical_steps() const {
+  Runner::Planned<CriticalStep> plan_critical_steps() const {
     struct Task {
       const MethodSetting* variant;
       const ReferenceMotion* motion;
     };
-    const std::vector<MethodSetting> variants = method_variants(what_.limit_methods);
     std::vector<Task> tasks;
-    for (const MethodSetting& variant : variants)
+    for (const MethodSetting& variant : limit_variants_)
       if (variant.by_step)
         for (const ReferenceMotion* motion : all_motions()) tasks.push_back({&variant, motion});
     std::vector<StudyPoint<CriticalStep>> points;
     for (const auto& [variant, motion] : tasks)
-      points.push_back({fmt::format("{}, {}", variant->label, motion->in_words()),
-                        [this, variant, motion] { return critical_step_of(*variant, *motion); },
-                        static_cast<double>(points.size())});
-    return runner_.run("critical steps", points);
+      points.push_back(
+          {fmt::format("{}, {}", variant->label, motion->in_words()),
+           [this, variant = variant, motion = motion] { return critical_step_of(*variant, *motion); }});
+    return runner_.plan("critical steps", std::move(points));
   }
 
   CriticalStep critical_step_of(const MethodSetting& variant, const ReferenceMotion& motion) const {
@@ -193,7 +196,7 @@ class StabilityStudy {
   const LoadedCase& loaded_;
   Runner& runner_;
   StabilitySpec what_;
-  std::vector<MethodSetting> variants_;
+  std::vector<MethodSetting> variants_, limit_variants_;
   StabilityMotions motions_;
 };
 
