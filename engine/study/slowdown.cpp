@@ -57,10 +57,15 @@ double slowdown_in_company(const std::function<double()>& piece) {
 }
 
 double slowdown_in_company(const Case& spec, Runner& runner) {
-  return runner
-      .run<double>(
-          {"slowdown", Company::alone, Division::shared},
-          {{"in company", [&] { return slowdown_in_company([&] { return seconds_of_motion(spec); }); }}})
+  // What else the machine does for a moment looks like it, but not every time.
+  constexpr int most_looks = 5;
+  const auto least_of_some = [&] {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most_looks && least > undisturbed; ++k)
+      least = std::min(least, slowdown_in_company([&] { return seconds_of_motion(spec); }));
+    return least;
+  };
+  return runner.run<double>({"slowdown", Company::alone, Division::shared}, {{"in company", least_of_some}})
       .front();
 }
 

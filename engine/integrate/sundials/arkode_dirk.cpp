@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "engine/integrate/methods/newton.h"
+#include "engine/integrate/newton_leftover.h"
 #include "engine/integrate/sundials/arkode_method.h"
 #include "engine/integrate/sundials/arkode_tables.h"
 #include "engine/integrate/sundials/reduced_linear_solver.h"
