@@ -48,8 +48,6 @@ struct Scope {
   std::size_t shares = 1;
   bool computes = true;                            ///< false: none, what is there is put together
   std::optional<std::set<std::string>> only = {};  ///< keys: none but these
-
-  bool is_whole() const { return shares == 1 && computes && !only; }
 };
 
 /// Thrown where this program has done what it was to do of a study, and that is not the whole.
