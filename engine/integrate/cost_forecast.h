@@ -9,8 +9,8 @@
 
 namespace plumb {
 
-/// Foresees from the first steps of a run with a fixed step what all of it will take. As its cost may change
-/// on the way, the rest counts at the cheapest pace that any stretch of it had so far, nothing is foreseen
+/// Foresees from what a run took so far what it will have taken at a later time. As its cost may change on
+/// the way, the rest counts at the cheapest pace that any stretch of it had so far, nothing is foreseen
 /// before there are a few of these or while they become cheaper, and only what is far beyond the limit counts
 /// as too long.
 class CostForecast {
@@ -18,14 +18,15 @@ class CostForecast {
   /// A run that is foreseen to take less than this many times its limit is not ended.
   static constexpr double far_beyond = 2;
 
-  /// `end`: of the run, which begins at 0, in any unit of time; `limit`: that it may take, s, > 0.
-  CostForecast(double end, double limit) : end_(end), limit_(limit) {}
+  /// `limit`: that a run may take that begins at 0, s, > 0.
+  explicit CostForecast(double limit) : limit_(limit) {}
 
   /// When to look next, s.
   double due() const { return began_ + std::max(limit_ / stretches_in_limit, shortest_stretch); }
 
-  /// The run has come to `t` in so many seconds. What all of it will take, s, where that is too long.
-  std::optional<double> too_long(double t, double seconds) {
+  /// The run has come to `t`, in any unit of time, in so many seconds. What it will have taken at `end`, s,
+  /// where that is too long.
+  std::optional<double> too_long(double t, double seconds, double end) {
     if (seconds < due() || !(t > from_)) return {};
     const double pace = (seconds - began_) / (t - from_);
     const double earlier = std::exchange(last_paces_[stretches_++ % last_paces_.size()], pace);
@@ -33,7 +34,7 @@ class CostForecast {
     from_ = t;
     began_ = seconds;
     if (stretches_ <= last_paces_.size() || pace < steady * earlier) return {};
-    const double whole = seconds + (end_ - t) * cheapest_;
+    const double whole = seconds + (end - t) * cheapest_;
     return whole > far_beyond * limit_ ? std::optional(whole) : std::nullopt;
   }
 
@@ -42,7 +43,6 @@ class CostForecast {
   static constexpr double steady = 0.97;            // of a pace, that is not cheaper yet
   static constexpr double shortest_stretch = 1e-3;  // s, that a clock of the processor still tells well
 
-  double end_;
   double limit_;
   double from_ = 0;                                            // where the stretch under way began
   double began_ = 0;                                           // and when, s

@@ -268,7 +268,11 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
   std::optional<CostForecast> forecast;
-  if (limit.foresees && own_method.step && dynamic && !timeless) forecast.emplace(end, limit.seconds);
+  if (!limit.looked_at.empty() && dynamic && !timeless) forecast.emplace(limit.seconds);
+  const auto next_looked_at = [&](double t) {
+    const auto later = std::upper_bound(limit.looked_at.begin(), limit.looked_at.end(), t * units.time);
+    return later == limit.looked_at.end() ? end : *later / units.time;
+  };
   const std::unique_ptr<Method> integrator = make_method(own_method, dynamics, own_start);
   StepResult last = monitor.check(ground_start);
   // A start that is not even finite has nothing to show.
@@ -327,16 +331,17 @@ Trajectory run(const Cable& cable, const State& start, const MethodSpec& method,
       const double passed = elapsed();
       const bool due = forecast && passed >= forecast->due();
       const double used = due || passed > limit.seconds ? processor_seconds() - processor_started : 0;
-      const auto foreseen = due ? forecast->too_long(now.t, used) : std::nullopt;
+      const double foreseen_at = due ? next_looked_at(now.t) : end;
+      const auto foreseen = due ? forecast->too_long(now.t, used, foreseen_at) : std::nullopt;
       if (used > limit.seconds) {
         last = {Outcome::out_of_time, fmt::format("the time allowed, {:g} s, is over", limit.seconds), -1};
       } else if (foreseen) {
         result.foreseen_seconds = *foreseen;
         last = {
             Outcome::out_of_time,
-            fmt::format("the time allowed, {:g} s, would not do: it took {:.2g} s for {:.2g} % of the run, "
-                        "from which {:.2g} s were predicted for all of it",
-                        limit.seconds, used, 100 * now.t / end, *foreseen),
+            fmt::format("the time allowed, {:g} s, would not do: it took {:.2g} s up to {:.3g} s, from which "
+                        "{:.2g} s were predicted up to {:.3g} s",
+                        limit.seconds, used, now.t * units.time, *foreseen, foreseen_at * units.time),
             -1};
       }
       if (!last.ok()) failed_step = dynamics.counters.steps;

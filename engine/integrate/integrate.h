@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "engine/case/case.h"
@@ -17,12 +18,13 @@ inline constexpr double no_time_limit = std::numeric_limits<double>::infinity();
 
 /// How long a time loop may take.
 struct TimeLimit {
-  TimeLimit(double allowed, bool ends_early = false) : seconds(allowed), foresees(ends_early) {}
+  TimeLimit(double allowed, std::vector<double> times_that_matter = {})
+      : seconds(allowed), looked_at(std::move(times_that_matter)) {}
 
   double seconds;  ///< of the processor
-  /// A run with a fixed step ends as soon as it is foreseen to take far longer (CostForecast). Not for runs
-  /// of which it matters how they would have gone on.
-  bool foresees;
+  /// Times at which the run is looked at, s, rising: it ends as soon as it is foreseen to be far over the
+  /// limit before it comes to the next of them (CostForecast). None: nothing is foreseen.
+  std::vector<double> looked_at;
 };
 
 /// The output times of a run: 0, every multiple of the interval, and the end.

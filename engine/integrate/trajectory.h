@@ -81,7 +81,8 @@ struct Trajectory {
   Counters counters;
   double solve_seconds = -1;      ///< the time loop alone
   double processor_seconds = -1;  ///< the same, of the processor
-  /// What the time loop would have taken, s of the processor, where it was ended for that. -1: it was not.
+  /// What the time loop would have taken up to the next time that mattered, s of the processor, where it was
+  /// ended for that. -1: it was not.
   double foreseen_seconds = -1;
 
   /// What must be known of the motion beside its outcome: "unstable start: …"; empty: nothing.

@@ -41,8 +41,7 @@ std::pair<double, std::string> Runner::untimed(const std::string& line) {
 /// together.
 std::vector<bool> Runner::own_of(const PlannedPart& planned) const {
   const std::size_t count = planned.points.size();
-  if (planned.part.division == Division::shared || planned.part.division == Division::following)
-    return std::vector<bool>(count, scope_.computes);
+  if (planned.part.division == Division::shared) return std::vector<bool>(count, scope_.computes);
   std::vector<bool> own(count, false);
   if (!scope_.computes) return own;
   std::size_t dealt = 0;
@@ -60,7 +59,7 @@ std::vector<bool> Runner::own_of(const PlannedPart& planned) const {
 
 void Runner::add(PlannedPart planned) {
   const std::vector<bool> own = own_of(planned);
-  if (planned.part.division != Division::split) kept_for_others_.insert(full_key(planned.part.name, ""));
+  if (planned.part.division == Division::shared) kept_for_others_.insert(full_key(planned.part.name, ""));
   points_ += planned.points.size();
   for (std::size_t k = 0; k < planned.points.size(); ++k) {
     PointState& point = planned.points[k];
@@ -80,7 +79,7 @@ void Runner::compute(const std::string& what) {
     compute_in(company, parts, what);
   bool enough = true;
   for (PlannedPart& planned : parts) {
-    if (planned.part.is_needed() && workers_->is_job()) spread(planned);
+    if (planned.part.division == Division::shared && workers_->is_job()) spread(planned);
     for (const PointState& point : planned.points) {
       if (point.known)
         processors_[planned.part.name].insert(journal_.machine_of(point.key).processor);

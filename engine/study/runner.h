@@ -21,10 +21,8 @@ namespace plumb {
 
 /// Which points of a part are computed where a study is divided into shares.
 enum class Division {
-  split,      ///< each point by one share
-  followed,   ///< the same, and points of a later part follow from them
-  following,  ///< all that are asked for, as they follow from points of the share's own
-  shared,     ///< all of them by every share: what comes later needs them
+  split,   ///< each point by one share
+  shared,  ///< all of them by every share: what comes later needs them
 };
 
 /// Points that are asked for together.
@@ -34,12 +32,9 @@ struct Part {
       : name(part_name), company(part_company), division(part_division) {}
   Part(const char* part_name, Division part_division) : name(part_name), division(part_division) {}
 
-  std::string name;  ///< "references", "errors", "timing"
+  std::string name;  ///< "references", "errors"
   Company company = Company::together;
   Division division = Division::split;
-
-  /// Whether points of later parts are planned by its results.
-  bool is_needed() const { return division == Division::shared || division == Division::followed; }
 };
 
 /// Which points of a study this program computes, of those that its journal has not.
@@ -55,7 +50,7 @@ struct NotWhole : std::exception {
   const char* what() const noexcept override { return "the rest of the study is computed elsewhere"; }
 };
 
-/// Called now and then with the part of a study that is under way ("references", "errors", "timing") and the
+/// Called now and then with the part of a study that is under way ("references", "errors") and the
 /// share of it that is done, 0 to 1. Never called twice at once, but from any thread.
 using StudyProgress = std::function<void(const std::string& part, double share)>;
 

@@ -49,9 +49,7 @@ std::vector<StabilityPoint> points_of(const MapRun& run, double tolerance, doubl
   Case spec = run.motion->spec;
   spec.time.end = run.ends.back();
   spec.method = run.variant->with(run.setting);
-  // Where it is looked at several times, the earlier ones may be reached in time.
-  const bool looked_at_once = run.ends.size() == 1;
-  const Trajectory trajectory = integrate(spec, {}, {time_limit, looked_at_once});
+  const Trajectory trajectory = integrate(spec, {}, {time_limit, run.ends});
   std::vector<StabilityPoint> points;
   for (const double end : run.ends) points.push_back(point_of(trajectory, *run.motion, end, tolerance));
   return points;

@@ -59,11 +59,10 @@ class Computation {
     make_references();
     slowdown_ = slowdown_in_company(on_mesh(fixed_elements()), runner_);
     make_curves();
-    WorkPrecision study = collect();
-    time_runs(study);
     runner_.conclude();
+    WorkPrecision study = collect();
     // Times of unlike machines tell nothing of methods.
-    if (!runner_.alike({"errors", "timing"}))
+    if (!runner_.alike({"errors"}))
       for (WorkPrecisionRun& run : study.runs) run.seconds.clear();
     evaluate(study);
     study.provenance = runner_.provenance();
@@ -136,12 +135,10 @@ class Computation {
                        encode(meshes_.back().reference).dump());
   }
 
-  bool times_in_company() const { return company_of_timed(slowdown_) == Company::together; }
-
   WorkPrecisionRun made_run(const MethodSpec& method, const Mesh& mesh) const {
     Case spec = on_mesh(mesh.elements);
     spec.method = method;
-    const Trajectory trajectory = integrate(spec, {}, {extent_.time_limit, true});
+    const Trajectory trajectory = integrate(spec, {}, {extent_.time_limit, {spec.time.end}});
     WorkPrecisionRun run;
     run.method = method;
     run.elements = mesh.elements;
@@ -153,8 +150,7 @@ class Computation {
       run.total_error = error_norms(trajectory, meshes_.back().reference.trajectory);
     }
     run.foreseen_seconds = trajectory.foreseen_seconds;
-    if (times_in_company() || run.outcome == Outcome::out_of_time)
-      time_run(run, trajectory.processor_seconds);
+    time_run(run, trajectory.processor_seconds);
     return run;
   }
 
@@ -169,8 +165,7 @@ class Computation {
     if (known.outcome == Outcome::out_of_time)
       return known.foreseen_seconds >= CostForecast::far_beyond * extent_.time_limit ||
              known.seconds.front() >= 0.9 * extent_.time_limit;
-    if (!known.completed() || !times_in_company()) return true;
-    return is_timed(known.seconds, extent_.repeats);
+    return !known.completed() || is_timed(known.seconds, extent_.repeats);
   }
 
   /// Why a curve should have no further run, or nothing. `next` is the run that would come.
@@ -213,7 +208,8 @@ class Computation {
              [this, task] { return made_curve(*task.plan, *task.mesh); },
              static_cast<double>(points.size())});
       }
-    std::vector<CurveRuns> curves = runner_.run({"errors", Division::followed}, points);
+    // A run that must be timed alone might as well be made once, alone.
+    std::vector<CurveRuns> curves = runner_.run({"errors", company_of_timed(slowdown_)}, points);
     for (std::size_t k = 0; k < tasks_.size(); ++k) tasks_[k].made = std::move(curves[k]);
   }
 
@@ -295,26 +291,6 @@ class Computation {
     run.seconds = {first};
     while (run.completed() && !is_timed(run.seconds, extent_.repeats))
       run.seconds.push_back(processor_time_of(run));
-  }
-
-  /// Those that were not where their errors were found.
-  void time_runs(WorkPrecision& study) {
-    std::vector<StudyPoint<std::vector<double>>> points;
-    std::vector<WorkPrecisionRun*> timed;
-    for (WorkPrecisionRun& run : study.runs) {
-      if (!run.seconds.empty()) continue;
-      timed.push_back(&run);
-      points.push_back({fmt::format("{} on {} elements, {} times", encode(run.method).dump(), run.elements,
-                                    extent_.repeats),
-                        [this, &run] {
-                          WorkPrecisionRun again = run;
-                          time_run(again, processor_time_of(run));
-                          return again.seconds;
-                        }});
-    }
-    const std::vector<std::vector<double>> seconds =
-        runner_.run({"timing", Company::alone, Division::following}, points);
-    for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->seconds = seconds[k];
   }
 
   Case spec_;

@@ -21,11 +21,12 @@ struct Ending {
   double foreseen = -1;
 };
 Ending ending(const std::function<double(double)>& cost) {
-  CostForecast forecast(1, limit);
+  CostForecast forecast(limit);
   double seconds = 0;
   for (int k = 0; k < steps; ++k) {
     seconds += cost(1.0 * k / steps) / steps;
-    if (const auto foreseen = forecast.too_long(1.0 * (k + 1) / steps, seconds)) return {seconds, *foreseen};
+    if (const auto foreseen = forecast.too_long(1.0 * (k + 1) / steps, seconds, 1))
+      return {seconds, *foreseen};
   }
   return {seconds};
 }
@@ -69,13 +70,13 @@ TEST(CostForecast, ARunPredictedTooLongEndsEarlyAndSaysSo) {
   Case spec = pendulum(5, 4);
   spec.method = method("rk4", 1e-7);
   spec.time = {2, 0.02};
-  const Trajectory ended = integrate(spec, {}, {allowed, true});
+  const Trajectory ended = integrate(spec, {}, {allowed, {spec.time.end}});
   EXPECT_EQ(ended.outcome, Outcome::out_of_time);
   EXPECT_LT(ended.processor_seconds, 0.6 * allowed);
   EXPECT_GT(ended.foreseen_seconds, CostForecast::far_beyond * allowed);
   EXPECT_NE(ended.message.find("the time allowed, 0.1 s, would not do: it took "), std::string::npos)
       << ended.message;
-  EXPECT_NE(ended.message.find("were predicted for all of it"), std::string::npos) << ended.message;
+  EXPECT_NE(ended.message.find("were predicted up to 2 s"), std::string::npos) << ended.message;
 
   const Trajectory not_asked = integrate(spec, {}, 0.3 * allowed);
   EXPECT_NE(not_asked.message.find("the time allowed, 0.03 s, is over"), std::string::npos)
@@ -83,12 +84,36 @@ TEST(CostForecast, ARunPredictedTooLongEndsEarlyAndSaysSo) {
   EXPECT_EQ(not_asked.foreseen_seconds, -1);
 }
 
+TEST(CostForecast, ForeseesWhatARunThatControlsItsErrorWillTake) {
+  constexpr double allowed = 0.02;
+  Case spec = pendulum(1, 32);
+  spec.method = method("arkode-erk", {});
+  spec.method.rtol = spec.method.atol = 1e-13;
+  spec.time = {2, 0.02};
+  const Trajectory ended = integrate(spec, {}, {allowed, {spec.time.end}});
+  EXPECT_EQ(ended.outcome, Outcome::out_of_time);
+  EXPECT_GT(ended.foreseen_seconds, CostForecast::far_beyond * allowed) << ended.message;
+  EXPECT_LT(ended.processor_seconds, 0.6 * allowed);
+}
+
+TEST(CostForecast, LetsARunComeToEachTimeAtWhichItIsLookedAt) {
+  constexpr double allowed = 0.1;
+  Case spec = pendulum(5, 4);
+  spec.method = method("rk4", 2e-6);
+  spec.time = {2, 0.02};
+  const Trajectory ended = integrate(spec, {}, {allowed, {0.02, spec.time.end}});
+  EXPECT_EQ(ended.outcome, Outcome::out_of_time);
+  EXPECT_GE(ended.end_time, 0.02) << ended.message;
+  EXPECT_LT(ended.end_time, 0.5 * spec.time.end) << ended.message;
+  EXPECT_GT(ended.foreseen_seconds, CostForecast::far_beyond * allowed) << ended.message;
+}
+
 TEST(CostForecast, ARunInTimeIsTheSameAsOneWithoutALimit) {
   Case spec = pendulum(5, 4);
   spec.method = method("rk4", 5e-4);
   spec.time = {2, 0.02};
   const Trajectory free = integrate(spec);
-  const Trajectory limited = integrate(spec, {}, {10, true});
+  const Trajectory limited = integrate(spec, {}, {10, {spec.time.end}});
   ASSERT_EQ(limited.outcome, Outcome::completed) << limited.message;
   EXPECT_EQ(limited.q.back(), free.q.back());
   EXPECT_EQ(limited.counters.steps, free.counters.steps);
