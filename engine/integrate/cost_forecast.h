@@ -11,12 +11,15 @@ namespace plumb {
 
 /// Foresees from what a run took so far what it will have taken at a later time. As its cost may change on
 /// the way, the rest counts at the cheapest pace that any stretch of it had so far, nothing is foreseen
-/// before there are a few of these or while they become cheaper, and only what is far beyond the limit counts
-/// as too long.
+/// before there are a few of these or while they become cheaper, and a rest is too long only if it takes
+/// twice the time that is left.
 class CostForecast {
  public:
-  /// A run that is foreseen to take less than this many times its limit is not ended.
-  static constexpr double far_beyond = 2;
+  /// Whether a run that took so much, and is foreseen to take so much in all, should end, s.
+  static bool is_too_long(double seconds, double foreseen, double limit) {
+    constexpr double far_beyond = 2;
+    return foreseen - seconds > far_beyond * (limit - seconds);
+  }
 
   /// `limit`: that a run may take that begins at 0, s, > 0.
   explicit CostForecast(double limit) : limit_(limit) {}
@@ -35,7 +38,7 @@ class CostForecast {
     began_ = seconds;
     if (stretches_ <= last_paces_.size() || pace < steady * earlier) return {};
     const double whole = seconds + (end - t) * cheapest_;
-    return whole > far_beyond * limit_ ? std::optional(whole) : std::nullopt;
+    return is_too_long(seconds, whole, limit_) ? std::optional(whole) : std::nullopt;
   }
 
  private:

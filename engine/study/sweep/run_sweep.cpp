@@ -90,7 +90,7 @@ class Model {
         result.overrides.push_back(std::move(text));
       const Case spec = load_without_studies(file_.source.with(result.overrides)).spec;
       result.method = spec.method.name;
-      judge_run(integrate(spec, {}, sweep_.time_limit), result);
+      judge_run(integrate(spec, {}, {sweep_.time_limit, {spec.time.end}}), result);
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {

@@ -163,8 +163,8 @@ class Computation {
   /// what was timed once may be worth more.
   bool will_do(const WorkPrecisionRun& known) const {
     if (known.outcome == Outcome::out_of_time)
-      return known.foreseen_seconds >= CostForecast::far_beyond * extent_.time_limit ||
-             known.seconds.front() >= 0.9 * extent_.time_limit;
+      return known.seconds.front() >= 0.9 * extent_.time_limit ||
+             CostForecast::is_too_long(known.seconds.front(), known.foreseen_seconds, extent_.time_limit);
     return !known.completed() || is_timed(known.seconds, extent_.repeats);
   }
 
