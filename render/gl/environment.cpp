@@ -39,6 +39,8 @@ std::span<const EnvironmentVariable> environment_variables() {
       EnvironmentVariable{"GALLIUM_OVERRIDE_CPU_CAPS",
                           "of the software renderer, which checks it; noted as a part of its name"},
       EnvironmentVariable{"MESA_SHADER_CACHE_DISABLE", "of the software renderer; set to true unless given"},
+      EnvironmentVariable{"GALLIVM_PERF",
+                          "of the software renderer; set to nopt unless given, as its compiler takes long"},
       EnvironmentVariable{"EGL_LOG_LEVEL", "of the EGL library; set to fatal unless given"}};
   return all;
 }

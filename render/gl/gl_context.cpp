@@ -161,6 +161,9 @@ GlContext::GlContext(const GlBackendChoice& choice) {
   draw_with_threads_there_are();
   // The driver would leave a cache of compiled shaders in the home folder.
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+  // Its compiler would take as long to make shaders fast as it takes to draw the frames of a report; the same
+  // pixels come slower only where there are a hundred of 4K.
+  ::setenv("GALLIVM_PERF", "nopt", 0);
   // What fails is said by the error alone.
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);
   {
