@@ -10,9 +10,9 @@
 namespace plumb {
 
 /// Foresees from what a run took so far what it will have taken at a later time. As its cost may change on
-/// the way, the rest counts at the cheapest pace that any stretch of it had so far, nothing is foreseen
-/// before there are a few of these or while they become cheaper, and a rest is too long only if it takes
-/// twice the time that is left.
+/// the way, the rest counts at the cheapest pace that any stretch of it had so far, or half the mean pace
+/// where that is more. Nothing is foreseen before there are a few stretches or while they become cheaper, and
+/// a rest is too long only if it takes twice the time that is left.
 class CostForecast {
  public:
   /// Whether a run that took so much, and is foreseen to take so much in all, should end, s.
@@ -37,13 +37,14 @@ class CostForecast {
     from_ = t;
     began_ = seconds;
     if (stretches_ <= last_paces_.size() || pace < steady * earlier) return {};
-    const double whole = seconds + (end - t) * cheapest_;
+    const double whole = seconds + (end - t) * std::max(cheapest_, least_of_mean * seconds / t);
     return is_too_long(seconds, whole, limit_) ? std::optional(whole) : std::nullopt;
   }
 
  private:
   static constexpr int stretches_in_limit = 50;
-  static constexpr double steady = 0.97;            // of a pace, that is not cheaper yet
+  static constexpr double steady = 0.97;  // of a pace, that is not cheaper yet
+  static constexpr double least_of_mean = 0.5;
   static constexpr double shortest_stretch = 1e-3;  // s, that a clock of the processor still tells well
 
   double limit_;

@@ -38,6 +38,7 @@ ExitStatus do_check(const Options& options, Console& console) {
   }
   const Estimate made = check_estimate(spec, work_of_run(spec), loaded.source.file.name,
                                        output_path(options, loaded), options, console);
+  remark_on_inputs(spec, console);
   console.line("plumb run of it would take");
   for (const std::string& line : in_words(made)) console.line("  " + line);
   if (options.json) print_json(case_json(loaded));

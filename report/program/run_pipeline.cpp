@@ -65,8 +65,11 @@ LoadedCase load(const Options& options, Console& console, const SectionUse& uses
   LoadedCase loaded = load_case(options.input, options.overrides, uses);
   refuse_names_of_run_figures(loaded);
   for (const std::string& remark : loaded.remarks) console.remark(remark);
-  for (const std::string& remark : implausible_inputs(loaded.spec)) console.remark(remark);
   return loaded;
+}
+
+void remark_on_inputs(const Case& spec, Console& console) {
+  for (const std::string& remark : implausible_inputs(spec)) console.remark(remark);
 }
 
 Run solve_or_take(const LoadedCase& loaded, Console& console) {

@@ -17,6 +17,10 @@ namespace plumb {
 /// Reads the case of the command line and says what was noteworthy. Throws InputError.
 LoadedCase load(const Options& options, Console& console, const SectionUse& uses = use_all);
 
+/// Says what is implausible in a case. For after its estimate, as a vibration is found for it on all of the
+/// mesh.
+void remark_on_inputs(const Case& spec, Console& console);
+
 /// Integrates a case and takes down what it was done with; says how it went.
 Run solve(const LoadedCase& loaded, Console& console);
 

@@ -27,6 +27,7 @@ ExitStatus run_one(const Options& options, Console& console) {
   if (!options.history.empty()) check_history(options.history, console);
   check_estimate(loaded.spec, work_of_run(loaded.spec), loaded.source.file.name, output_path(options, loaded),
                  options, console);
+  remark_on_inputs(loaded.spec, console);
   OutputFolder folder(output_path(options, loaded), folder_for(loaded, options, console));
   if (!options.history.empty())
     refuse_to_overwrite("--history", options.history, files_read(loaded, options), folder.path());

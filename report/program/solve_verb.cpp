@@ -24,6 +24,7 @@ ExitStatus do_solve(const Options& options, Console& console) {
   const bool writes_run = options.csv.empty() || !options.output.empty();
   check_estimate(given.spec, {.solves = true, .writes_run = writes_run, .writes_table = !options.csv.empty()},
                  given.source.file.name, output_path(options, given), options, console);
+  remark_on_inputs(given.spec, console);
   std::optional<SceneChoice> choice;
   if (is_left_to_scene(given, options))
     choice = choose_for_scene(given, output_path(options, given), options, console);

@@ -112,6 +112,7 @@ ExitStatus do_study(const Options& options, Console& console) {
                                : options.output;
   check_estimate(loaded.spec, {.draws = true, .study = kind.estimate, .frames = 0}, loaded.source.file.name,
                  path, options, console);
+  remark_on_inputs(loaded.spec, console);
   // What a scene needs is the question of that study, and the answer to start from for others.
   if (loaded.spec.method.name == scene_method && !kind.asks_what_a_scene_needs)
     loaded = as_the_scene_needs(loaded, output_path(options, loaded), options, console);

@@ -63,6 +63,13 @@ TEST(CostForecast, LeavesARunInTimeWhoseFirstStepsAreDear) {
   EXPECT_EQ(start.foreseen, -1) << start.at;
 }
 
+TEST(CostForecast, CountsTheRestAtNoLessThanHalfTheMeanPace) {
+  // Hardly anything for the first twentieth, and then four times the limit.
+  const Ending found = ending([](double done) { return done < 0.05 ? 0.1 : 4.0; });
+  EXPECT_GT(found.foreseen, 1.5 * limit);
+  EXPECT_LT(found.at, 0.4 * limit);
+}
+
 TEST(CostForecast, CountsTheRestAtTheCheapestPaceThatWasSeen) {
   // Disturbed now and then, and otherwise in time.
   const Ending disturbed = ending([](double done) { return std::fmod(done, 0.05) < 0.02 ? 1.6 : 0.6; });
