@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 
+#include "render/gl/markup.h"
 #include "report/base/document_value.h"
 #include "report/base/escape.h"
 #include "report/document/junit_suites.h"
+#include "report/figure/number_markup.h"
 #include "report/index/comparisons.h"
 
 namespace plumb {
@@ -128,13 +130,13 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
   for (const auto& [name, unit] : columns) {
     Panel panel;
     panel.x.label = "time [s]";
-    panel.y.label = fmt::format("{} [{}]", name, unit);
+    panel.y.label = fmt::format("{} [{}]", literal(name), unit_markup(unit));
     for (const IndexedReport& report : reports) {
       if (report.document.is_null()) continue;
       const Document& probes = report.document.at("probes");
       if (!probes.contains(name) || probes[name].at("unit") != unit) continue;
       Series series;
-      series.label = report.folder;
+      series.label = literal(report.folder);
       const Document &times = probes.at("t").at("values"), &values = probes[name].at("values");
       for (std::size_t i = 0; i < values.size() && i < times.size(); ++i) {
         if (!values[i].is_number()) continue;
@@ -150,7 +152,8 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
     figure.title = fmt::format("{} of {} runs", name, panel.series.size());
     figure.alt =
         fmt::format("Plot of {} over time, one line for each of {} runs.", name, panel.series.size());
-    figure.plot.title = figure.title;
+    figure.plot.title = literal(figure.title);
+    figure.times = {{true, {}}};
     figure.plot.height = 900;
     figure.plot.panels.push_back(std::move(panel));
     figures.push_back(std::move(figure));

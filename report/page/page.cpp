@@ -17,7 +17,7 @@
 
 namespace plumb {
 
-extern const std::string_view page_mustache;
+extern const std::string_view page_mustache, figure_mustache;
 extern const std::string_view formulation_mustache;
 
 namespace {
@@ -117,7 +117,16 @@ std::string to_page(const Document& document, const Pictures& pictures,
   page["errors"] = error_rows(document);
   page["has_references"] = !document.at("references").empty();
   page["references"] = reference_rows(document);
-  page.set("figures", picture_rows(pictures.figures));
+  page.set("marks", verdict_marks(verdicts));
+  // The first ones are those that the case asks for.
+  constexpr std::size_t most_lead_figures = 2;
+  data lead{data::type::list}, more{data::type::list};
+  for (std::size_t k = 0; k < pictures.figures.size(); ++k)
+    (k < most_lead_figures ? lead : more)
+        .push_back(data{"html", fill_in(figure_mustache, picture_values(pictures.figures[k]))});
+  page["has_more_figures"] = more.is_non_empty_list();
+  page.set("lead_figures", lead);
+  page.set("figures", more);
   page["animation"] = data_uri(pictures.page_animation);
   page["still"] = data_uri(pictures.page_still);
   page["animation_width"] = std::to_string(pictures.page_animation_width);

@@ -15,6 +15,7 @@
 #include "engine/base/file_text.h"
 #include "engine/base/file_writing.h"
 #include "engine/base/interrupt.h"
+#include "report/program/found_program.h"
 
 namespace plumb {
 namespace {
@@ -35,23 +36,12 @@ std::vector<std::string> arguments(const std::string& file, double frame_rate) {
   return all;
 }
 
-bool is_there() {
-  const char* path = std::getenv("PATH");
-  std::string folders = path != nullptr ? path : "";
-  for (std::size_t begin = 0; begin <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', begin), folders.size());
-    if (::access((folders.substr(begin, end - begin) + "/" + program).c_str(), X_OK) == 0) return true;
-    begin = end + 1;
-  }
-  return false;
-}
-
 }  // namespace
 
 Video::Video(const std::string& file, double frame_rate) : file_(file), place_(place_of_file(file)) {
   if (!file.ends_with(".mp4") && !file.ends_with(".webm"))
     throw UsageError(fmt::format("--video {}: must end in .mp4 or .webm", file));
-  if (!is_there())
+  if (found_program(program).empty())
     throw OutputError(
         fmt::format("{}: needs ffmpeg, which is not installed; animation.png needs nothing", file));
   if (!place_.empty()) {

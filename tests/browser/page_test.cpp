@@ -250,6 +250,13 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
     const double time = document["probes"]["t"]["values"][k];
     point_at(0, time);
     const std::string panel = "plumb.charts[0].node.querySelector";
+    // To the digits that the uncertainty bears, until they are asked for.
+    const std::string few = tab().value_of(panel + "('.value').textContent");
+    EXPECT_LE(few.size(), 9U) << few;
+    EXPECT_NEAR(number_in(few), document["probes"]["mid.y"]["values"][k].get<double>(), 2e-3);
+    tab().value_of("for (const chart of plumb.charts) chart.showAll(false)");
+    for (const int chart : {0, 1, 4})
+      tab().value_of("plumb.charts[" + std::to_string(chart) + "].node.querySelector('.value').click()");
     EXPECT_EQ(number_in(tab().value_of(panel + "('.moment').textContent")), time);
     EXPECT_EQ(number_in(tab().value_of(panel + "('.value').textContent")),
               document["probes"]["mid.y"]["values"][k].get<double>())
@@ -258,6 +265,8 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
               document["errors"][0]["expected"][k].get<double>());
     EXPECT_EQ(number_in(tab().value_of("plumb.charts[1].node.querySelector('.value').textContent")),
               document["errors"][0]["difference"][k].get<double>());
+    tab().value_of("plumb.charts[0].node.querySelector('.value').click()");
+    EXPECT_EQ(tab().value_of(panel + "('.value').textContent"), few);
     EXPECT_EQ(tab().value_of("new Set(plumb.charts.filter((c) => c.timed).map((c) => "
                              "c.canvas.getAttribute('aria-valuenow'))).size"),
               1)
@@ -267,6 +276,40 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
   }
   EXPECT_EQ(number_in(tab().value_of("plumb.charts[4].node.querySelector('.value').textContent")),
             document["energy"]["kinetic"][100].get<double>());
+}
+
+TEST_F(PageInBrowser, LegendsAndLabelsOfChartsAreThoseOfWhatIsDrawn) {
+  open_run();
+  const Json samples = tab().value_of(
+      "plumb.charts.flatMap(({ panel, chart, values }) => panel.series.map((series, k) => ({ label: "
+      "series.label, "
+      "drawn: chart.data.datasets[k].borderDash.join(' '), line: chart.data.datasets[k].showLine, "
+      "shown: (values[k].sample.querySelector('path')?.getAttribute('stroke-dasharray')) ?? '', "
+      "path: values[k].sample.querySelectorAll('path').length, "
+      "points: values[k].sample.querySelectorAll('circle').length, "
+      "drawn_points: chart.data.datasets[k].pointRadius > 0 })))");
+  long dashed = 0;
+  for (const Json& sample : samples) {
+    EXPECT_EQ(sample["shown"], sample["line"] == true ? sample["drawn"] : Json("")) << sample;
+    EXPECT_EQ(sample["path"] == 1, sample["line"] == true) << sample;
+    EXPECT_EQ(sample["points"] == 1, sample["drawn_points"] == true) << sample;
+    dashed += sample["shown"] != "";
+  }
+  EXPECT_GT(dashed, 2);
+  // Beside its axis a chart has the labels of the ticks, their marks, and the turned label: none over
+  // another.
+  const Json tight = tab().value_of(
+      "plumb.charts.filter(({ chart }) => { const y = chart.scales.y, { ctx } = chart; ctx.font = '13px ' + "
+      "getComputedStyle(document.body).fontFamily; const widest = Math.max(...y.ticks.map(({ label }) => "
+      "ctx.measureText(label).width)); return y.right - y.left < widest + 13 * 1.2; }).map(({ name, panel }) "
+      "=> "
+      "name + ' ' + panel.y.label)");
+  EXPECT_EQ(tight, Json::array());
+  EXPECT_EQ(tab().value_of("plumb.charts.some(({ panel }) => panel.y.label.includes('m⁻¹'))"), true);
+  EXPECT_EQ(tab().value_of("[...document.querySelectorAll('.readout')].some((node) => /\\de[-−]\\d/"
+                           ".test(node.textContent))"),
+            false)
+      << "powers of ten are typeset";
 }
 
 TEST_F(PageInBrowser, TimeMovesTheLineInEveryChart) {
