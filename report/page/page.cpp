@@ -66,6 +66,27 @@ data section_rows(const Document& document, const Pictures& pictures,
   return rows;
 }
 
+/// What the page rests on, as the list at the end of a paper, each once.
+data source_rows(const Document& document) {
+  std::vector<std::string> sources;
+  const auto add = [&](const std::string& source) {
+    if (!source.empty() && std::find(sources.begin(), sources.end(), source) == sources.end())
+      sources.push_back(source);
+  };
+  for (const Document& reference : document.at("references"))
+    add(fmt::format("{} ({}): {}", text_of(reference, "title"), text_of(reference, "name"),
+                    text_of(reference, "source")));
+  if (!document.contains("computed_by")) {
+    const MethodInfo& method = method_of(document.at("case"));
+    add(fmt::format("Of the method {}: {}", method.name, method.source));
+  }
+  if (document.contains("uncertainty"))
+    add("Of the uncertainties: " + text_of(document.at("uncertainty"), "standard"));
+  data rows{data::type::list};
+  for (const std::string& source : sources) rows.push_back(data{"source", source});
+  return rows;
+}
+
 }  // namespace
 
 std::string to_page(const Document& document, const Pictures& pictures,
@@ -155,6 +176,7 @@ std::string to_page(const Document& document, const Pictures& pictures,
   set_case_and_provenance(page, document);
   page.set("of_comparisons", section_rows(document, pictures, sections, PagePlace::comparisons));
   page.set("of_cost", section_rows(document, pictures, sections, PagePlace::cost));
+  page.set("sources", source_rows(document));
   const std::string changes = changes_html(document);
   page["has_changes"] = !changes.empty();
   page["changes"] = changes;

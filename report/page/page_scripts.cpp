@@ -43,10 +43,9 @@ std::map<std::string, double> column_uncertainties(const Document& document) {
         const std::string name = part.at("name").get<std::string>();
         // That of the reference is no part of the run.
         if (name == "data" || !part.contains("standard_uncertainty")) continue;
-        const Document& value = part.at("standard_uncertainty");
-        if (!value.is_number()) continue;
         double& greatest = parts[series.at("column").get<std::string>()][name];
-        greatest = std::max(greatest, value.get<double>());
+        for (const Document& value : part.at("standard_uncertainty"))
+          if (value.is_number()) greatest = std::max(greatest, value.get<double>());
       }
   std::map<std::string, double> result;
   for (const auto& [column, values] : parts)

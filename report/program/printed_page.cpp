@@ -103,8 +103,8 @@ int run_to_end(const std::vector<std::string>& words, const std::string& log) {
 }
 
 /// The bytes of the PDF; empty where it was not printed whole.
-std::string printed(const std::string& program, const WorkFolder& work, bool sandbox) {
-  std::vector<std::string> words{program,
+std::string printed(const std::string& executable, const WorkFolder& work, bool sandbox) {
+  std::vector<std::string> words{executable,
                                  "--headless",
                                  "--disable-gpu",
                                  "--no-first-run",
@@ -129,15 +129,16 @@ void check_pdf(const Options& options) {
 
 void add_pdf(OutputFolder& folder, const Options& options) {
   if (!options.pdf) return;
-  const std::string program = browser();
+  const std::string executable = browser();
   const WorkFolder work;
   write_file(work.file("index.html"), folder.read("index.html"));
   // Its sandbox is not to be had for root, and in some containers; the page is ours and loads nothing.
-  std::string bytes = ::geteuid() == 0 ? "" : printed(program, work, true);
-  if (bytes.empty()) bytes = printed(program, work, false);
+  std::string bytes = ::geteuid() == 0 ? "" : printed(executable, work, true);
+  if (bytes.empty()) bytes = printed(executable, work, false);
   if (bytes.empty())
-    throw OutputError(fmt::format(
-        "{}: {} did not print the page; without --pdf there is the rest of the report", pdf_file, program));
+    throw OutputError(
+        fmt::format("{}: {} did not print the page; without --pdf there is the rest of the report", pdf_file,
+                    executable));
   folder.write(pdf_file, bytes);
 }
 

@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* program = "ffmpeg";
+constexpr const char* encoder = "ffmpeg";
 constexpr int not_there = 127;
 constexpr const char* log_name = "ffmpeg.log";
 
 std::vector<std::string> arguments(const std::string& file, double frame_rate) {
-  std::vector<std::string> all{program, "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate",
+  std::vector<std::string> all{encoder, "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate",
                                fmt::format("{:.6g}", frame_rate), "-c:v", "png", "-i", "-",
                                // Most players know no other colours, which need even sides.
                                "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
@@ -41,7 +41,7 @@ std::vector<std::string> arguments(const std::string& file, double frame_rate) {
 Video::Video(const std::string& file, double frame_rate) : file_(file), place_(place_of_file(file)) {
   if (!file.ends_with(".mp4") && !file.ends_with(".webm"))
     throw UsageError(fmt::format("--video {}: must end in .mp4 or .webm", file));
-  if (found_program(program).empty())
+  if (found_program(encoder).empty())
     throw OutputError(
         fmt::format("{}: needs ffmpeg, which is not installed; animation.png needs nothing", file));
   if (!place_.empty()) {

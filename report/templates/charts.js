@@ -27,10 +27,11 @@
     const small = value !== 0 && Math.abs(value) < 1e-3;
     return typeset(String(Number(value.toPrecision(small ? 2 : 4))));
   };
-  // To two digits of what it may be off by.
+  // To what it may be off by, of which one digit is shown, or two where that begins with 1 or 2.
   const readable = (value, uncertainty) => {
     if (!known(value) || !(uncertainty > 0)) return exact(value);
-    const place = Math.floor(Math.log10(uncertainty)) - 1;
+    const first = Math.floor(Math.log10(uncertainty));
+    const place = uncertainty < 3 * 10 ** first ? first - 1 : first;
     const digits = value === 0 ? 1 : Math.floor(Math.log10(Math.abs(value))) - place + 1;
     if (digits < 1) return place > -6 ? (0).toFixed(Math.max(-place, 0)) : "0";
     if (place >= -6 && place <= 0) return typeset(value.toFixed(-place));
@@ -149,6 +150,21 @@
       }));
     }
 
+    // A label in lines that are no longer than its axis.
+    linesOf(label, length, font) {
+      const ctx = this.canvas.getContext("2d");
+      ctx.save();
+      ctx.font = `${font.size}px ${font.family}`;
+      const lines = [];
+      for (const word of label.split(" ")) {
+        const longer = lines.length ? `${lines[lines.length - 1]} ${word}` : word;
+        if (lines.length && ctx.measureText(longer).width <= length) lines[lines.length - 1] = longer;
+        else lines.push(word);
+      }
+      ctx.restore();
+      return lines;
+    }
+
     options() {
       const font = { family: getComputedStyle(document.body).fontFamily, size: 13 };
       const axis = ({ label, scale, range }, zeroLine) => ({
@@ -162,8 +178,10 @@
         ticks: { color: color("--ink"), font, maxRotation: 0, autoSkipPadding: 16, includeBounds: false, callback: short },
         title: { display: true, text: label, color: color("--ink"), font },
       });
+      const foot = this.panel.shares_x_below ? 12 : 56;  // of what is below the axis
       const x = axis(this.panel.x, this.panel.x.zero_line);
       const y = axis(this.panel.y, this.panel.y.zero_line);
+      y.title.text = this.linesOf(this.panel.y.label, this.canvas.parentNode.clientHeight - foot, font);
       // Those of one figure are as wide as the widest needs, so that labels have room and frames are aligned.
       y.afterFit = (scale) => {
         this.group.axisWidth = Math.max(this.group.axisWidth, Math.ceil(scale.width));

@@ -301,7 +301,10 @@ TEST_F(PageInBrowser, LegendsAndLabelsOfChartsAreThoseOfWhatIsDrawn) {
   const Json tight = tab().value_of(
       "plumb.charts.filter(({ chart }) => { const y = chart.scales.y, { ctx } = chart; ctx.font = '13px ' + "
       "getComputedStyle(document.body).fontFamily; const widest = Math.max(...y.ticks.map(({ label }) => "
-      "ctx.measureText(label).width)); return y.right - y.left < widest + 13 * 1.2; }).map(({ name, panel }) "
+      "ctx.measureText(label).width)), lines = y.options.title.text; return y.right - y.left < widest + 13 * "
+      "1.2 * "
+      "lines.length || lines.some((line) => ctx.measureText(line).width > chart.height); }).map(({ name, "
+      "panel }) "
       "=> "
       "name + ' ' + panel.y.label)");
   EXPECT_EQ(tight, Json::array());
