@@ -202,6 +202,7 @@ std::string headline_of(const Document& beside) {
 }
 
 std::string with_unit(const Document& value, const std::string& unit) {
+  if (value.is_number_integer()) return std::to_string(value.get<long>()) + unit_after(unit);
   if (!value.is_number()) return "–";
   return fmt::format("{:.4g}{}", value.get<double>(), unit_after(unit));
 }
@@ -209,7 +210,13 @@ std::string with_unit(const Document& value, const std::string& unit) {
 /// "+1.2 m", or "the same".
 std::string signed_text(const Document& value, const std::string& unit) {
   if (!value.is_number()) return "–";
-  return value == 0 ? "the same" : fmt::format("{:+.3g}{}", value.get<double>(), unit_after(unit));
+  const double number = value.get<double>();
+  if (number == 0) return "the same";
+  // Counts are told whole.
+  constexpr double most = 1e15;
+  return (number == std::round(number) && std::abs(number) < most ? fmt::format("{:+.0f}", number)
+                                                                  : fmt::format("{:+.3g}", number)) +
+         unit_after(unit);
 }
 
 data rows_of(const Document& list, auto fill) {
@@ -243,8 +250,11 @@ Document beside_of(const Document& first, const std::string& first_name, const D
   return beside;
 }
 
-std::string beside_html(const Document& beside, const std::vector<PicturePair>& pairs, std::size_t room) {
+std::string beside_html(const Document& beside, const std::string& curves,
+                        const std::vector<PicturePair>& pairs, std::size_t room) {
   data page;
+  page["has_curves"] = !curves.empty();
+  page["curves"] = curves;
   for (const char* key : {"first", "second", "headline"}) page[key] = text_of(beside, key);
   const auto set = [&](const char* key, auto fill) {
     const data rows = rows_of(beside.at(key), fill);

@@ -27,8 +27,9 @@ struct Beside {
 Document beside_of(const Document& first, const std::string& first_name, const Document& second,
                    const std::string& second_name);
 
-/// The same as a section of a page, with the pictures to slide over one another, as many as have room in
-/// `room` bytes.
-std::string beside_html(const Document& beside, const std::vector<PicturePair>& pairs, std::size_t room);
+/// The same as a section of a page, with `curves`, HTML, and the pictures to slide over one another, as many
+/// as have room in `room` bytes.
+std::string beside_html(const Document& beside, const std::string& curves,
+                        const std::vector<PicturePair>& pairs, std::size_t room);
 
 }  // namespace plumb

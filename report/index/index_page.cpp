@@ -369,11 +369,9 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   page["has_unheld"] = unheld.is_non_empty_list();
   page.set("unheld", unheld);
   set_history(page, index);
-  page["has_figures"] = !figures.empty();
-  data rows{data::type::list};
-  for (const Picture& figure : figures)
-    rows.push_back(data{"html", fill_in(figure_mustache, picture_values(figure))});
-  page.set("figures", rows);
+  std::string curves;
+  for (const Picture& figure : figures) curves += fill_in(figure_mustache, picture_values(figure));
+  page["figures"] = curves;
   std::vector<PageScript> scripts{{report_js, report_js_sha256},
                                   {downloads_js, downloads_js_sha256},
                                   {tables_js, tables_js_sha256},
@@ -382,8 +380,9 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   Document own{{"figures", Document::array()}};
   const bool beside = index.contains("beside");
   page["has_beside"] = beside;
+  page["has_figures"] = !figures.empty() && !beside;
   if (beside) {
-    page["beside"] = beside_html(index.at("beside"), pairs, most_pair_bytes);
+    page["beside"] = beside_html(index.at("beside"), curves, pairs, most_pair_bytes);
     css += beside_css;
     own = chart_data(figures);
     scripts.insert(scripts.begin(), {chart_min_js, chart_min_js_sha256});

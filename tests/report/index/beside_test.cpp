@@ -107,8 +107,9 @@ TEST(Beside, PicturesThatHaveNoRoomAreCounted) {
   const std::string png = encode_png({2, 1, {255, 255, 255, 0, 0, 0}});
   const Document beside = beside_of(made(), "a<b", made(), "b");
   const std::vector<PicturePair> pairs{{"one", png, png}, {"two", png, png}};
-  const std::string all = beside_html(beside, pairs, 1000000),
-                    some = beside_html(beside, pairs, 3 * png.size());
+  const std::string all = beside_html(beside, "<p>curves</p>", pairs, 1000000),
+                    some = beside_html(beside, "<p>curves</p>", pairs, 3 * png.size());
+  EXPECT_NE(all.find("<p>curves</p>"), std::string::npos);
   EXPECT_EQ(all.find("there is no room"), std::string::npos);
   EXPECT_NE(all.find("alt=\"two, of a&lt;b\""), std::string::npos) << all;
   EXPECT_NE(some.find("For 1 picture there is no room"), std::string::npos) << some;
