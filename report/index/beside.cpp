@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/base/time_interpolation.h"
 #include "report/document/changes.h"
 #include "report/figure/number_markup.h"
+#include "report/index/study_as_report.h"
 #include "report/page/page_template.h"
 #include "report/page/verdict_html.h"
 
@@ -103,6 +105,37 @@ void add_numbers(Document& beside, const Document& first, const Document& second
     return document.at("energy").is_null() ? none : document.at("energy").at("drift");
   };
   add("drift of the energy", "J", drift(first), drift(second));
+}
+
+/// All numbers of an object and of those within it, by their keys; of lists none, as their entries have no
+/// names.
+void collect(const Document& object, const std::string& prefix, std::map<std::string, double>& numbers) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) collect(value, prefix + key + ".", numbers);
+    if (value.is_number()) numbers[prefix + key] = value.get<double>();
+  }
+}
+
+/// What the results of two studies say in single numbers.
+void add_study_results(Document& beside, const Document& first, const Document& second) {
+  const bool one = first.contains(study_results_key), other = second.contains(study_results_key);
+  if (one != other) return cannot(beside, "results of the study", only_in(beside, one));
+  if (!one) return;
+  std::map<std::string, double> numbers, others;
+  collect(first.at(study_results_key), "", numbers);
+  collect(second.at(study_results_key), "", others);
+  for (const auto& [key, value] : numbers) {
+    if (const auto found = others.find(key); found == others.end())
+      cannot(beside, key, only_in(beside, true));
+    else
+      beside["numbers"].push_back({{"name", key},
+                                   {"unit", ""},
+                                   {"first", value},
+                                   {"second", found->second},
+                                   {"difference", found->second - value}});
+  }
+  for (const auto& [key, value] : others)
+    if (!numbers.contains(key)) cannot(beside, key, only_in(beside, false));
 }
 
 /// Numbers of a probe and the times they are of; what is not finite is left out.
@@ -245,6 +278,7 @@ Document beside_of(const Document& first, const std::string& first_name, const D
   beside["not_compared"] = Document::array();
   add_verdicts(beside, first, second);
   add_numbers(beside, first, second);
+  add_study_results(beside, first, second);
   add_probes(beside, first, second);
   beside["headline"] = headline_of(beside);
   return beside;

@@ -11,6 +11,7 @@
 #include "report/document/junit_suites.h"
 #include "report/figure/number_markup.h"
 #include "report/index/comparisons.h"
+#include "report/index/study_as_report.h"
 
 namespace plumb {
 namespace {
@@ -165,7 +166,8 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
 IndexedReport indexed(const std::string& folder, const Document& document) {
   IndexedReport report{folder, document};
   report.document["comparisons"] = comparisons_of(document, folder);
-  std::vector<std::string> heavy{"errors", "energy", "animation", "given_runs", history_key};
+  std::vector<std::string> heavy{"errors",     "energy",    "animation",
+                                 "given_runs", history_key, study_results_key};
   for (const auto& [key, value] : document.items())
     if (is_figures_key(key)) heavy.push_back(key);
   for (const std::string& key : heavy) report.document.erase(key);
@@ -217,7 +219,9 @@ std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports) 
              report.fault.empty() ? "the run left no report" : "the run left no report: " + report.fault}}});
       continue;
     }
-    for (JunitSuite& suite : suites_of(report.document)) {
+    // A study as a whole integrates nothing.
+    const bool study = report.document.value("is_study", false);
+    for (JunitSuite& suite : study ? suites_of(verdicts_of(report.document)) : suites_of(report.document)) {
       suite.name = fmt::format("{}.{}", report.folder, suite.name);
       all.push_back(std::move(suite));
     }

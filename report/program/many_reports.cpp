@@ -13,11 +13,14 @@
 #include "render/image/apng.h"
 #include "render/image/thumbnail.h"
 #include "report/document/report_formats.h"
+#include "report/index/study_as_report.h"
 #include "report/program/earlier_report.h"
 #include "report/program/history_file.h"
 #include "report/program/output_use.h"
 #include "report/program/printed_page.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/study_kinds.h"
+#include "report/program/work_precision_pipeline.h"
 
 namespace plumb {
 
@@ -67,6 +70,28 @@ struct FoundReport {
   std::string seen;  ///< from the index
   Document document;
 };
+
+/// The report in a folder, be it of a run or of a study.
+Document report_at(const fs::path& folder) {
+  const std::string file = (folder / "results.json").string();
+  if (!is_study(folder.string()) && !study_json_at(folder.string())) return find_document(file);
+  try {
+    std::vector<std::string> pictures;
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder / "figures", ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+      if (entry->path().extension() == ".png")
+        pictures.push_back("figures/" + entry->path().filename().string());
+    std::sort(pictures.begin(), pictures.end());
+    const Document study = parse_json<Document>(read_whole_file(file), file);
+    if (study.at("schema_version").get<int>() > results_version)
+      throw InputError(fmt::format("{}: is of version {}, and this program reads up to {}", file,
+                                   study.at("schema_version").get<int>(), results_version));
+    return study_as_report(study, pictures);
+  } catch (...) {
+    refuse_unusable(file);
+  }
+}
 
 /// Where what both have cannot be read, it is said among what cannot be compared.
 Beside beside_one_another(const FoundReport& first, const FoundReport& second) {
@@ -155,9 +180,12 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const fs::path seen =
         fs::absolute(own).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
     const std::string file = (own / "results.json").string();
-    const Document document = find_document(file);
+    const Document document = report_at(own);
+    const bool study = document.contains(study_results_key);
+    if (study && !options.history.empty())
+      throw UsageError(fmt::format("--history is of runs, and {} is a study", path));
     check_claims(document, file);
-    if (!document.contains(check_sum_key)) console.remark(remark_without_sum(file));
+    if (!study && !document.contains(check_sum_key)) console.remark(remark_without_sum(file));
     reports.push_back(report_in(own.string(), seen.generic_string(), document, folders.size()));
     // Of more than two none is compared with another one.
     if (folders.size() == 2) found.push_back({own, seen.generic_string(), document});
