@@ -91,6 +91,8 @@ data report_row(const Document& report, Thumbnails& thumbnails) {
   row["method"] = text_of(report, "method");
   for (const char* key : {"criteria", "failed", "not_run", "elements", "exit_status"})
     row[key] = std::to_string(report.at(key).get<long>());
+  // A study as a whole has none.
+  if (report.at("elements") < 0) row["elements"] = "–";
   row["short"] = text_of(report, "outcome") + ": " + text_of(report, "outcome_reason");
   const double seconds = number_of(report.at("solve_seconds"));
   row["seconds"] = seconds >= 0 ? fmt::format("{:.3g} s", seconds) : "not run";
