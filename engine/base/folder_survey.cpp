@@ -34,7 +34,7 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[n]) {
 }
 
 constexpr std::string_view run_names[] = {"run.h5", "probes.csv", "modes.csv"};
-constexpr std::string_view page_names[] = {"index.html", "results.json"};
+constexpr std::string_view page_names[] = {"index.html", "results.json", "report.pdf"};
 constexpr std::string_view animation_names[] = {"animation.png", "player.png"};
 constexpr std::string_view other_names[] = {"study.h5",        "study.json",       "choice.json",
                                             "assessment.json", "sensitivity.json", "points.jsonl"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace plumb {
@@ -117,6 +118,16 @@ double Trajectory::energy_drift() const {
   double drift = 0;
   for (const Energies& e : energies) drift = worse(drift, std::abs(e.total() - energies.front().total()));
   return drift;
+}
+
+double Trajectory::energy_round_off() const {
+  constexpr double units_of_a_step = 8;
+  double greatest = 0;
+  for (const Energies& e : energies)
+    greatest = std::max(greatest, std::abs(e.kinetic) + std::abs(e.axial) + std::abs(e.bending) +
+                                      std::abs(e.potential) + std::abs(e.work) + std::abs(e.dissipated));
+  const auto steps = static_cast<double>(std::max<long>(counters.steps, std::ssize(energies)));
+  return units_of_a_step * std::numeric_limits<double>::epsilon() * std::sqrt(steps) * greatest;
 }
 
 double Trajectory::kinetic_scale() const {

@@ -91,6 +91,9 @@ struct Trajectory {
   double energy_drift() const;
   /// What the drift is held against: the first kinetic energy, or the greatest for a start from rest, J.
   double kinetic_scale() const;
+  /// What of a drift rounding alone may make, J: of each step some units in the last place of all energies,
+  /// which add up as those of a random walk do.
+  double energy_round_off() const;
   /// energy_drift / kinetic_scale; 0 where nothing moved, -1 where it cannot be told (no outputs, not
   /// finite).
   double relative_energy_drift() const;

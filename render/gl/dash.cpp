@@ -1,14 +1,16 @@
 #include "render/gl/dash.h"
 
 #include <algorithm>
-#include <array>
 
 namespace plumb {
 
+std::array<double, 2> dash_pattern(Dash dash, double width) {
+  if (dash == Dash::dotted) return {0.001 * width, 2.2 * width};
+  return {4 * width, dash == Dash::dashed ? 3 * width : 0};
+}
+
 std::vector<std::pair<Point, Point>> dash_segments(std::span<const Point> points, Dash dash, double width) {
-  // On, off; round ends lengthen what is on by one width and shorten what is off.
-  const std::array<double, 2> pattern =
-      dash == Dash::dotted ? std::array{0.001 * width, 2.2 * width} : std::array{4 * width, 3 * width};
+  const std::array<double, 2> pattern = dash_pattern(dash, width);
   std::vector<std::pair<Point, Point>> pieces;
   std::size_t phase = 0;
   double left = pattern[0];

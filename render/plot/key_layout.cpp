@@ -32,7 +32,8 @@ KeyLayout key_layout(const PlotKey& key, double top, double width, const PlotSiz
     entry.category = category;
     entry.index = index;
     if (label_of(key, entry).empty()) return;
-    const double sample = (category ? 1.3 : 2.2) * sizes.legend.size;
+    const double sample =
+        category ? 1.3 * sizes.legend.size : line_sample(key.lines[index], 2.2 * sizes.legend.size, sizes);
     const double length = sample + 0.6 * sizes.gap + font.measure(label_of(key, entry), sizes.legend).width;
     if (x > left && x + length > right) {
       centre_row();

@@ -46,6 +46,7 @@ struct Axis {
   Scale scale = Scale::linear;
   std::vector<double> ticks = {};             ///< marked and labelled instead of round values; ascending
   std::vector<std::string> tick_labels = {};  ///< one for each of `ticks`, instead of its value; or none
+  std::string column = {};                    ///< of a run's probes, that it shows; empty: none
 };
 
 /// A value worth knowing along one axis, below the series: a line, or a shaded band between two values. It

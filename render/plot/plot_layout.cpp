@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/base/errors.h"
+#include "render/gl/dash.h"
 #include "render/plot/cell_grid.h"
 #include "render/plot/color_bar.h"
 #include "render/plot/given_ticks.h"
@@ -467,13 +468,24 @@ std::string exponent_label(int exponent) {
   return fmt::format("\u00d710^{{{}{}}}", exponent < 0 ? "\u2212" : "", std::abs(exponent));
 }
 
+double line_sample(const Series& line, double least, const PlotSizes& sizes) {
+  if (!(line.line_width > 0) || line.dash == Dash::solid) return least;
+  const double width = line.line_width * sizes.line;
+  const auto [on, off] = dash_pattern(line.dash, width);
+  // Two dashes with their round ends and what is off between them, or four dots.
+  const double ends = line.dash == Dash::dashed ? 2 * on + off + width : 4 * on + 3 * off + width;
+  return std::max(least, ends);
+}
+
 double legend_sample(const Panel& panel, const PlotSizes& sizes) {
-  const bool dashed_with_markers =
-      std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) {
-        return !series.label.empty() && series.line_width > 0 && series.dash != Dash::solid &&
-               series.marker != Marker::none;
-      });
-  return (dashed_with_markers ? 2.6 : 1.6) * sizes.legend.size;
+  double length = 0;
+  for (const Series& series : panel.series) {
+    if (series.label.empty()) continue;
+    const bool hides_its_dashes =
+        series.line_width > 0 && series.dash != Dash::solid && series.marker != Marker::none;
+    length = std::max(length, line_sample(series, (hides_its_dashes ? 2.6 : 1.6) * sizes.legend.size, sizes));
+  }
+  return length;
 }
 
 }  // namespace plumb

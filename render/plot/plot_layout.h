@@ -111,7 +111,11 @@ Rect bar_area(const Bar& bar, const PanelLayout& panel);
 /// "×10^{−5}" for -5, empty for 0.
 std::string exponent_label(int exponent);
 
-/// Length of the sample of a line in the panel's legend, pixels: longer where dashes must show beside
+/// Length of a sample of a line, pixels: `least`, or longer where fewer than two dashes or four dots of it
+/// would show, which would look like another line.
+double line_sample(const Series& line, double least, const PlotSizes& sizes);
+
+/// Length of the samples of lines in the panel's legend, pixels: longer where dashes must show beside
 /// markers.
 double legend_sample(const Panel& panel, const PlotSizes& sizes);
 

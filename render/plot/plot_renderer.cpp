@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "render/plot/axis_labels.h"
 #include "render/plot/band.h"
 #include "render/plot/cell_grid.h"
 #include "render/plot/color_bar.h"
@@ -17,13 +18,6 @@ namespace plumb {
 namespace {
 
 constexpr float band_opacity = 0.22F;
-
-// A text's style, smaller where the text would not fit.
-TextStyle fitted(const Painter& painter, std::string_view text, TextStyle style, double room) {
-  const double width = painter.font().measure(text, style).width;
-  if (width > room) style.size *= room / width;
-  return style;
-}
 
 class PanelDrawing {
  public:
@@ -165,37 +159,19 @@ class PanelDrawing {
 
   void labels() const {
     const Rect& frame = layout_.frame;
-    const double middle_of_digits = 0.36 * sizes_.tick.size;
-    for (std::size_t i = 0; i < layout_.x_ticks.major.size(); ++i) {
-      const double x = layout_.x(layout_.x_ticks.major[i]);
-      const double left = std::round(x - sizes_.frame / 2.0);
+    for (const double value : layout_.x_ticks.major) {
+      const double left = std::round(layout_.x(value) - sizes_.frame / 2.0);
       painter_.fill({left, frame.bottom, left + sizes_.frame, frame.bottom + sizes_.tick_length}, theme_.ink);
-      if (layout_.x_labels)
-        painter_.text(layout_.x_ticks.labels[i], sizes_.tick, x, layout_.x_tick_base, Align::center,
-                      theme_.ink);
     }
-    for (std::size_t i = 0; i < layout_.y_ticks.major.size(); ++i) {
-      const double y = layout_.y(layout_.y_ticks.major[i]);
-      const double top = std::round(y - sizes_.frame / 2.0);
+    for (const double value : layout_.y_ticks.major) {
+      const double top = std::round(layout_.y(value) - sizes_.frame / 2.0);
       painter_.fill({frame.left - sizes_.tick_length, top, frame.left, top + sizes_.frame}, theme_.ink);
-      painter_.text(layout_.y_ticks.labels[i], sizes_.tick,
-                    frame.left - sizes_.tick_length - 0.5 * sizes_.gap, y + middle_of_digits, Align::right,
-                    theme_.ink);
     }
     minor_marks();
-    painter_.text(exponent_label(layout_.y_ticks.exponent), sizes_.tick, frame.left, layout_.y_exponent_base,
-                  Align::left, theme_.ink);
-    const TextStyle y_style = fitted(painter_, panel_.y.label, sizes_.label, frame.height() + 2 * sizes_.gap);
-    painter_.turned_text(panel_.y.label, y_style, layout_.y_label_base, (frame.top + frame.bottom) / 2,
-                         Align::center, theme_.ink);
-    const double middle = (frame.left + frame.right) / 2;
-    painter_.text(panel_.title, fitted(painter_, panel_.title, sizes_.panel_title, frame.width()), middle,
-                  layout_.title_base, Align::center, theme_.ink);
-    if (!layout_.x_labels) return;
-    painter_.text(panel_.x.label, fitted(painter_, panel_.x.label, sizes_.label, frame.width()), middle,
-                  layout_.x_label_base, Align::center, theme_.ink);
-    painter_.text(exponent_label(layout_.x_ticks.exponent), sizes_.tick, frame.right, layout_.x_label_base,
-                  Align::right, theme_.ink);
+    for (const PlacedText& text : axis_labels(panel_, layout_, sizes_, painter_.font())) {
+      const auto draw = text.turned ? &Painter::turned_text : &Painter::text;
+      (painter_.*draw)(text.text, text.style, text.at.x(), text.at.y(), text.align, theme_.ink);
+    }
   }
 
   void minor_marks() const {
@@ -258,8 +234,8 @@ Image PlotRenderer::draw(const Plot& plot) {
   Canvas canvas(context_, plot.width, plot.height);
   canvas.begin_flat(theme.paper);
   painter_.begin(canvas);
-  painter_.text(plot.title, fitted(painter_, plot.title, sizes.title, plot.width - 2 * sizes.gap),
-                plot.width / 2.0, layout.title_base, Align::center, theme.ink);
+  const PlacedText title = plot_title(plot, layout, sizes, painter_.font());
+  painter_.text(title.text, title.style, title.at.x(), title.at.y(), title.align, theme.ink);
   draw_key(painter_, plot.key, layout.key, sizes, theme);
   for (std::size_t p = 0; p < plot.panels.size(); ++p)
     PanelDrawing(painter_, plot, plot.panels[p], layout.panels[p], sizes).draw();

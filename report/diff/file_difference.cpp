@@ -152,8 +152,9 @@ long compared(const std::vector<FileDifference>& files) {
 
 Comparing comparing(const std::string& name) {
   // They hold times, paths, or what follows from those.
-  constexpr std::array unlike{"run.h5",          "study.h5",         "study.json", "choice.json",
-                              "assessment.json", "sensitivity.json", "index.html", "manifest.json"};
+  constexpr std::array unlike{"run.h5",      "study.h5",        "study.json",
+                              "choice.json", "assessment.json", "sensitivity.json",
+                              "index.html",  "report.pdf",      "manifest.json"};
   const std::string file = name.substr(name.rfind('/') + 1);
   if (file.ends_with(".png")) return Comparing::pictures;
   if (file.ends_with(".csv")) return Comparing::numbers;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/figure/ending_mark.h"
+#include "report/figure/round_off.h"
 #include "report/figure/run_figures.h"
 #include "report/verdict/results.h"
 
@@ -67,6 +68,7 @@ std::optional<Figure> energy_figure(const Run& run) {
   drift.height_share = 0.4;
   drift.series = {
       part("", [&](const Energies& e) { return (e.total() - first) / (kinetic > 0 ? kinetic : 1); })};
+  mark_round_off(drift, trajectory.energy_round_off() / (kinetic > 0 ? kinetic : 1));
 
   Figure figure;
   figure.title = title_of(run, "Energy over time");

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "engine/base/known_time.h"
 #include "render/gl/markup.h"
 #include "report/figure/ending_mark.h"
 #include "report/figure/number_markup.h"
+#include "report/figure/round_off.h"
 #include "report/figure/run_figures.h"
 
 namespace plumb {
@@ -170,6 +173,16 @@ void mark_alone(Panel& panel) {
   }
 }
 
+/// Of differences between values that are rounded: some units in the last place of the greatest.
+double round_off_of(const Run& run, const std::vector<const SeriesError*>& errors) {
+  constexpr double units = 8;
+  double greatest = 0;
+  for (const SeriesError* error : errors)
+    for (const double value : reference_of(run, *error).values)
+      if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
+  return units * std::numeric_limits<double>::epsilon() * greatest;
+}
+
 Panel difference_panel(const Run& run, const std::vector<const SeriesError*>& errors) {
   const Case& spec = run.loaded.spec;
   const bool alone = spec.given_runs.empty() || (reports_given_run(spec) && spec.given_runs.size() == 1);
@@ -211,6 +224,8 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   Panel panel;
   panel.x.label = label(spec.x_label, spec.x, x.unit);
   panel.y.label = label(spec.y_label, spec.y, y.unit);
+  if (spec.x != abscissa_of(run)) panel.x.column = spec.x;
+  panel.y.column = spec.y;
   panel.equal_axes = spec.equal_axes;
   panel.series.push_back(line(literal(reported_name(run.loaded.spec)), x.values, y.values));
   if (of_modes) mark_alone(panel);
@@ -253,6 +268,7 @@ Figure case_figure(const Run& run, const FigureSpec& spec, const std::vector<Ser
   if (!compared.empty()) {
     figure.plot.panels.push_back(difference_panel(run, compared));
     add_given_differences(run, spec, errors, compared, figure.plot.panels.back());
+    mark_round_off(figure.plot.panels.back(), round_off_of(run, compared));
     if (!of_modes) {
       figure.times.push_back({true, {}});
       mark_ending(run, figure.plot.panels.back());

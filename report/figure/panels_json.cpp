@@ -3,20 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "render/gl/markup.h"
 #include "report/figure/curve_style.h"
+#include "report/figure/number_markup.h"
 
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A text without markup.
-std::string plain(const std::string& text) {
-  std::string result;
-  for (const TextRun& run : read_markup(text)) result += run.text;
-  return result;
-}
 
 Json extent_json(const Extent& extent) {
   return {{"lower", extent.lower}, {"upper", extent.upper}};
@@ -35,15 +28,16 @@ std::string_view word(Dash dash) {
 }
 
 Json axis_json(const Axis& axis) {
-  Json json{{"label", plain(axis.label)},
+  Json json{{"label", plain_text(axis.label)},
             {"scale", axis.scale == Scale::logarithmic ? "logarithmic" : "linear"},
             {"zero_line", axis.zero_line}};
   if (axis.range) json["range"] = *axis.range;
+  if (!axis.column.empty()) json["column"] = axis.column;
   return json;
 }
 
 Json series_json(const Series& series) {
-  Json json{{"label", plain(series.label)},
+  Json json{{"label", plain_text(series.label)},
             {"line", series.line_width > 0},
             {"dash", word(series.dash)},
             {"marker", series.marker != Marker::none}};
@@ -57,7 +51,7 @@ Json series_json(const Series& series) {
 }
 
 Json rule_json(const Rule& rule) {
-  return {{"upright", rule.upright}, {"from", rule.from}, {"to", rule.to}, {"label", plain(rule.label)}};
+  return {{"upright", rule.upright}, {"from", rule.from}, {"to", rule.to}, {"label", plain_text(rule.label)}};
 }
 
 }  // namespace
@@ -66,7 +60,7 @@ Json panels_json(const Plot& plot, const std::vector<PanelTimes>& times) {
   Json panels = Json::array();
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {
     const Panel& panel = plot.panels[p];
-    Json json{{"title", plain(panel.title)},
+    Json json{{"title", plain_text(panel.title)},
               {"x", axis_json(panel.x)},
               {"y", axis_json(panel.y)},
               {"over_time", p < times.size() && times[p].along_x},

@@ -9,6 +9,8 @@
 #include "render/image/png_file.h"
 #include "report/base/document_value.h"
 #include "report/base/escape.h"
+#include "report/figure/number_markup.h"
+#include "report/figure/panels_json.h"
 #include "report/index/comparisons.h"
 #include "report/index/run_index.h"
 #include "report/page/history_html.h"
@@ -20,7 +22,9 @@
 
 namespace plumb {
 
-extern const std::string_view index_mustache, index_css;
+extern const std::string_view index_mustache, index_css, figure_mustache, beside_css;
+extern const std::string_view chart_min_js, chart_min_js_sha256, clock_js, clock_js_sha256;
+extern const std::string_view charts_js, charts_js_sha256, beside_js, beside_js_sha256;
 extern const std::string_view report_js, report_js_sha256, downloads_js, downloads_js_sha256;
 extern const std::string_view tables_js, tables_js_sha256, index_js, index_js_sha256;
 
@@ -29,6 +33,7 @@ namespace {
 using kainjow::mustache::data;
 
 constexpr std::size_t most_thumbnail_bytes = 2'200'000;  // of a page, as data URIs
+constexpr std::size_t most_pair_bytes = 2'600'000;       // likewise, of pictures beside one another
 constexpr std::size_t most_histories = 60;
 /// Of more reports, tables are laid out only as they are scrolled to.
 constexpr std::size_t many_reports = 60;
@@ -86,6 +91,8 @@ data report_row(const Document& report, Thumbnails& thumbnails) {
   row["method"] = text_of(report, "method");
   for (const char* key : {"criteria", "failed", "not_run", "elements", "exit_status"})
     row[key] = std::to_string(report.at(key).get<long>());
+  // A study as a whole has none.
+  if (report.at("elements") < 0) row["elements"] = "–";
   row["short"] = text_of(report, "outcome") + ": " + text_of(report, "outcome_reason");
   const double seconds = number_of(report.at("solve_seconds"));
   row["seconds"] = seconds >= 0 ? fmt::format("{:.3g} s", seconds) : "not run";
@@ -94,7 +101,7 @@ data report_row(const Document& report, Thumbnails& thumbnails) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-  return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
+  return fmt::format("{:.4g}{}", value, unit_after(unit));
 }
 
 data verdict_row(const Document& verdict, const Document& report) {
@@ -304,10 +311,26 @@ void set_history(data& page, const Document& index) {
   page.set("history", rows);
 }
 
+/// The figures of two runs as charts.
+Document chart_data(const std::vector<Picture>& figures) {
+  Document charts{{"figures", Document::array()}, {"end_time", 0}, {"frame_rate", 0}};
+  for (const Picture& figure : figures) {
+    charts["figures"].push_back({{"file", figure.file},
+                                 {"title", figure.title},
+                                 {"chart", true},
+                                 {"panels", panels_json(figure.plot, figure.times)}});
+    for (const Panel& panel : figure.plot.panels)
+      for (const Series& series : panel.series)
+        if (!series.x.empty())
+          charts["end_time"] = std::max(charts["end_time"].get<double>(), series.x.back());
+  }
+  return charts;
+}
+
 }  // namespace
 
 std::string index_page(const Document& index, const std::vector<Picture>& figures,
-                       const std::vector<IndexedReport>& all) {
+                       const std::vector<IndexedReport>& all, const std::vector<PicturePair>& pairs) {
   data page, reports{data::type::list}, unheld{data::type::list};
   const std::size_t count = index.at("reports").size();
   const std::string cases = fmt::format("{} report{}", count, count == 1 ? "" : "s");
@@ -348,14 +371,28 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   page["has_unheld"] = unheld.is_non_empty_list();
   page.set("unheld", unheld);
   set_history(page, index);
-  page["has_figures"] = !figures.empty();
-  page.set("figures", picture_rows(figures));
-  const std::vector<PageScript> scripts{{report_js, report_js_sha256},
-                                        {downloads_js, downloads_js_sha256},
-                                        {tables_js, tables_js_sha256},
-                                        {index_js, index_js_sha256}};
-  return html_page(cases + " of Plumb", std::string(history_css).append(index_css),
-                   fill_in(index_mustache, page), scripts, data_element("page-data", R"({"figures":[]})"));
+  std::string curves;
+  for (const Picture& figure : figures) curves += fill_in(figure_mustache, picture_values(figure));
+  page["figures"] = curves;
+  std::vector<PageScript> scripts{{report_js, report_js_sha256},
+                                  {downloads_js, downloads_js_sha256},
+                                  {tables_js, tables_js_sha256},
+                                  {index_js, index_js_sha256}};
+  std::string css = std::string(history_css).append(index_css);
+  Document own{{"figures", Document::array()}};
+  const bool beside = index.contains("beside");
+  page["has_beside"] = beside;
+  page["has_figures"] = !figures.empty() && !beside;
+  if (beside) {
+    page["beside"] = beside_html(index.at("beside"), curves, pairs, most_pair_bytes);
+    css += beside_css;
+    own = chart_data(figures);
+    scripts.insert(scripts.begin(), {chart_min_js, chart_min_js_sha256});
+    scripts.insert(scripts.begin() + 2, {{clock_js, clock_js_sha256}, {charts_js, charts_js_sha256}});
+    scripts.push_back({beside_js, beside_js_sha256});
+  }
+  return html_page(cases + " of Plumb", css, fill_in(index_mustache, page), scripts,
+                   data_element("page-data", own.dump(-1, ' ', false, Document::error_handler_t::replace)));
 }
 
 }  // namespace plumb

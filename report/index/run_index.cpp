@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 
+#include "render/gl/markup.h"
 #include "report/base/document_value.h"
 #include "report/base/escape.h"
 #include "report/document/junit_suites.h"
+#include "report/figure/number_markup.h"
 #include "report/index/comparisons.h"
+#include "report/index/study_as_report.h"
 
 namespace plumb {
 namespace {
@@ -128,13 +131,13 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
   for (const auto& [name, unit] : columns) {
     Panel panel;
     panel.x.label = "time [s]";
-    panel.y.label = fmt::format("{} [{}]", name, unit);
+    panel.y.label = fmt::format("{} [{}]", literal(name), unit_markup(unit));
     for (const IndexedReport& report : reports) {
       if (report.document.is_null()) continue;
       const Document& probes = report.document.at("probes");
       if (!probes.contains(name) || probes[name].at("unit") != unit) continue;
       Series series;
-      series.label = report.folder;
+      series.label = literal(report.folder);
       const Document &times = probes.at("t").at("values"), &values = probes[name].at("values");
       for (std::size_t i = 0; i < values.size() && i < times.size(); ++i) {
         if (!values[i].is_number()) continue;
@@ -150,7 +153,8 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
     figure.title = fmt::format("{} of {} runs", name, panel.series.size());
     figure.alt =
         fmt::format("Plot of {} over time, one line for each of {} runs.", name, panel.series.size());
-    figure.plot.title = figure.title;
+    figure.plot.title = literal(figure.title);
+    figure.times = {{true, {}}};
     figure.plot.height = 900;
     figure.plot.panels.push_back(std::move(panel));
     figures.push_back(std::move(figure));
@@ -162,7 +166,8 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
 IndexedReport indexed(const std::string& folder, const Document& document) {
   IndexedReport report{folder, document};
   report.document["comparisons"] = comparisons_of(document, folder);
-  std::vector<std::string> heavy{"errors", "energy", "animation", "given_runs", history_key};
+  std::vector<std::string> heavy{"errors",     "energy",    "animation",
+                                 "given_runs", history_key, study_results_key};
   for (const auto& [key, value] : document.items())
     if (is_figures_key(key)) heavy.push_back(key);
   for (const std::string& key : heavy) report.document.erase(key);
@@ -214,7 +219,9 @@ std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports) 
              report.fault.empty() ? "the run left no report" : "the run left no report: " + report.fault}}});
       continue;
     }
-    for (JunitSuite& suite : suites_of(report.document)) {
+    // A study as a whole integrates nothing.
+    const bool study = report.document.value("is_study", false);
+    for (JunitSuite& suite : study ? suites_of(verdicts_of(report.document)) : suites_of(report.document)) {
       suite.name = fmt::format("{}.{}", report.folder, suite.name);
       all.push_back(std::move(suite));
     }

@@ -6,6 +6,7 @@
 #include "report/document/document.h"
 #include "report/document/history.h"
 #include "report/document/junit_suites.h"
+#include "report/index/beside.h"
 
 namespace plumb {
 
@@ -34,9 +35,10 @@ inline constexpr std::size_t most_shared_figures = 9, most_shared_lines = 12;
 Document index_of(const std::vector<IndexedReport>& reports, const std::vector<Picture>& figures,
                   std::size_t at_once = 0, const History& history = {});
 
-/// index.html of several reports, what failed first. `reports` give their thumbnails.
+/// index.html of several reports, what failed first. `reports` give their thumbnails. Of two that the index
+/// has `beside` one another, `pairs` are their pictures, and the figures are charts.
 std::string index_page(const Document& index, const std::vector<Picture>& figures,
-                       const std::vector<IndexedReport>& reports);
+                       const std::vector<IndexedReport>& reports, const std::vector<PicturePair>& pairs = {});
 
 /// The test cases of several reports: a suite a report and kind of verdict.
 std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports);

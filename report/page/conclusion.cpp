@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/run/mode_table.h"
+#include "report/figure/number_markup.h"
 
 namespace plumb {
 namespace {
@@ -49,8 +50,8 @@ std::string what_it_is(const Document& reference, const Document& all) {
 std::string distance_of(const Verdict& worst, const std::string& reference, const std::string& what) {
   const std::string column = worst.name.substr(reference.size() + 2);
   if (!std::isfinite(worst.value)) return fmt::format("no finite distance from {} ({})", what, column);
-  return fmt::format("{} {} from {} ({}, where {} {} is allowed)", number(worst.value), worst.unit, what,
-                     column, number(worst.limit), worst.unit);
+  return fmt::format("{}{} from {} ({}, where {}{} is allowed)", number(worst.value), unit_after(worst.unit),
+                     what, column, number(worst.limit), unit_after(worst.unit));
 }
 
 std::string sentence_of(const Document& document, const std::string& clause) {
@@ -84,15 +85,15 @@ std::string sentence_of(const Document& document, const std::string& clause) {
     if (own.empty()) continue;
     const std::string what = what_it_is(reference, document.at("references"));
     if (reference.contains("model_differences") && own.front().status == VerdictStatus::another_model) {
-      differences.push_back(fmt::format("{} {} from {}, which are of another model",
-                                        number(own.front().value), own.front().unit, what));
+      differences.push_back(fmt::format("{}{} from {}, which are of another model", number(own.front().value),
+                                        unit_after(own.front().unit), what));
       continue;
     }
     const bool met = std::none_of(own.begin(), own.end(),
                                   [](const Verdict& v) { return v.status == VerdictStatus::failed; });
     if (met)
       agreements.push_back(
-          fmt::format("with {} to {} {}", what, number(own.front().value), own.front().unit));
+          fmt::format("with {} to {}{}", what, number(own.front().value), unit_after(own.front().unit)));
     else
       distances.push_back(distance_of(own.front(), name, what));
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/base/document_value.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
@@ -21,7 +22,7 @@ data column_rows(const Document& given) {
     row["column"] = name;
     row["file_column"] = text_of(column, "file_column");
     row["file_unit"] = text_of(column, "file_unit");
-    row["unit"] = text_of(column, "unit");
+    row["unit"] = unit_text(text_of(column, "unit"));
     rows.push_back(row);
   }
   return rows;
@@ -34,7 +35,7 @@ data distance_rows(const Document& given) {
     const bool any = distance.at("points").get<long>() > 0;
     data row;
     row["column"] = text_of(distance, "column");
-    row["unit"] = text_of(distance, "unit");
+    row["unit"] = unit_text(text_of(distance, "unit"));
     row["points"] = fmt::format("{} of {}", distance.at("points").get<long>(),
                                 distance.at("coverage").at("demanded").get<long>());
     row["max"] = any ? four_digits(distance.at("max")) : "not run";

@@ -10,6 +10,7 @@
 #include "report/base/document_value.h"
 #include "report/base/escape.h"
 #include "report/document/history.h"
+#include "report/figure/number_markup.h"
 #include "report/page/svg_chart.h"
 #include "report/page/verdict_html.h"
 
@@ -52,17 +53,18 @@ std::string chart_of(const Trend& trend, const Document& runs, double height) {
     }
   const bool wide = hi > 10 * lo;
   if (!wide) all.push_back(0);
-  chart.y = fitted_axis(all, wide, trend.unit);
+  chart.y = fitted_axis(all, wide, unit_text(trend.unit));
   if (!wide) chart.y.from = 0;
-  chart.alt = fmt::format("{} over {} runs, the last {:.4g} {}.", trend.name, runs.size(),
-                          trend.values.back(), trend.unit);
+  chart.alt = fmt::format("{} over {} runs, the last {:.4g}{}.", trend.name, runs.size(), trend.values.back(),
+                          unit_after(trend.unit));
   SvgLine values{{}, "trend"}, limits{{}, "limit"};
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const auto x = static_cast<double>(k + 1);
     values.points.emplace_back(x, trend.values[k]);
     limits.points.emplace_back(x, trend.limits[k]);
-    std::string title = fmt::format("{:.4g} {}", trend.values[k], trend.unit);
-    if (std::isfinite(trend.limits[k])) title += fmt::format(" of {:.4g} {}", trend.limits[k], trend.unit);
+    std::string title = fmt::format("{:.4g}{}", trend.values[k], unit_after(trend.unit));
+    if (std::isfinite(trend.limits[k]))
+      title += fmt::format(" of {:.4g}{}", trend.limits[k], unit_after(trend.unit));
     chart.marks.push_back({x, trend.values[k], trend.classes[k], title + "\n" + title_of(runs[k])});
   }
   // A limit of one run is a line all the same.
@@ -149,9 +151,10 @@ std::string section_html(const Document& history, const std::vector<Picture>&) {
       escape_xml(text_of(history, "file")), most_runs_of_history);
   constexpr double height = 180;
   for (const Trend& trend : criteria_of(runs))
-    html += figure_of(trend, runs,
-                      trend.name + (trend.unit == "1" ? "" : ", " + trend.unit) + "; dashed: what is allowed",
-                      height);
+    html += figure_of(
+        trend, runs,
+        trend.name + (trend.unit == "1" ? "" : ", " + unit_text(trend.unit)) + "; dashed: what is allowed",
+        height);
   if (const Trend times = times_of(runs); any_finite(times))
     html +=
         figure_of(times, runs,

@@ -9,6 +9,7 @@
 #include "engine/run/mode_table.h"
 #include "report/base/document_value.h"
 #include "report/document/case_json.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
@@ -36,7 +37,7 @@ std::string modes_html(const Document& modes, const std::vector<Picture>&) {
   std::map<std::string, double> greatest;
   for (const auto& [name, column] : columns.items()) {
     const std::string unit = text_of(column, "unit");
-    heads.push_back(data{"head", unit == "1" ? name : fmt::format("{} [{}]", name, unit)});
+    heads.push_back(data{"head", unit == "1" ? name : fmt::format("{} [{}]", name, unit_text(unit))});
     shown.emplace_back(&column.at("values"), unit);
     for (const Document& value : column.at("values"))
       if (value.is_number()) greatest[unit] = std::max(greatest[unit], std::abs(value.get<double>()));

@@ -17,7 +17,7 @@
 
 namespace plumb {
 
-extern const std::string_view page_mustache;
+extern const std::string_view page_mustache, figure_mustache;
 extern const std::string_view formulation_mustache;
 
 namespace {
@@ -63,6 +63,27 @@ data section_rows(const Document& document, const Pictures& pictures,
     row["html"] = section.html(document.at(section.key), pictures.of(section.figures_key));
     rows.push_back(row);
   }
+  return rows;
+}
+
+/// What the page rests on, as the list at the end of a paper, each once.
+data source_rows(const Document& document) {
+  std::vector<std::string> sources;
+  const auto add = [&](const std::string& source) {
+    if (!source.empty() && std::find(sources.begin(), sources.end(), source) == sources.end())
+      sources.push_back(source);
+  };
+  for (const Document& reference : document.at("references"))
+    add(fmt::format("{} ({}): {}", text_of(reference, "title"), text_of(reference, "name"),
+                    text_of(reference, "source")));
+  if (!document.contains("computed_by")) {
+    const MethodInfo& method = method_of(document.at("case"));
+    add(fmt::format("Of the method {}: {}", method.name, method.source));
+  }
+  if (document.contains("uncertainty"))
+    add("Of the uncertainties: " + text_of(document.at("uncertainty"), "standard"));
+  data rows{data::type::list};
+  for (const std::string& source : sources) rows.push_back(data{"source", source});
   return rows;
 }
 
@@ -117,7 +138,16 @@ std::string to_page(const Document& document, const Pictures& pictures,
   page["errors"] = error_rows(document);
   page["has_references"] = !document.at("references").empty();
   page["references"] = reference_rows(document);
-  page.set("figures", picture_rows(pictures.figures));
+  page.set("marks", verdict_marks(verdicts));
+  // The first ones are those that the case asks for.
+  constexpr std::size_t most_lead_figures = 2;
+  data lead{data::type::list}, more{data::type::list};
+  for (std::size_t k = 0; k < pictures.figures.size(); ++k)
+    (k < most_lead_figures ? lead : more)
+        .push_back(data{"html", fill_in(figure_mustache, picture_values(pictures.figures[k]))});
+  page["has_more_figures"] = more.is_non_empty_list();
+  page.set("lead_figures", lead);
+  page.set("figures", more);
   page["animation"] = data_uri(pictures.page_animation);
   page["still"] = data_uri(pictures.page_still);
   page["animation_width"] = std::to_string(pictures.page_animation_width);
@@ -146,6 +176,7 @@ std::string to_page(const Document& document, const Pictures& pictures,
   set_case_and_provenance(page, document);
   page.set("of_comparisons", section_rows(document, pictures, sections, PagePlace::comparisons));
   page.set("of_cost", section_rows(document, pictures, sections, PagePlace::cost));
+  page.set("sources", source_rows(document));
   const std::string changes = changes_html(document);
   page["has_changes"] = !changes.empty();
   page["changes"] = changes;

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "engine/run/mode_table.h"
 #include "report/base/base64.h"
 #include "report/base/escape.h"
+#include "report/page/glossary.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
@@ -28,9 +33,41 @@ std::string from_hex(std::string_view hex) {
   return bytes;
 }
 
+/// How far off each column of the run may be, as far as that is known: the root of the sum of squares of its
+/// numerical parts and inputs, each at its greatest. No column: nothing is known.
+std::map<std::string, double> column_uncertainties(const Document& document) {
+  std::map<std::string, std::map<std::string, double>> parts;
+  if (document.contains("uncertainty"))
+    for (const Document& series : document.at("uncertainty").at("series"))
+      for (const Document& part : series.at("parts")) {
+        const std::string name = part.at("name").get<std::string>();
+        // That of the reference is no part of the run.
+        if (name == "data" || !part.contains("standard_uncertainty")) continue;
+        double& greatest = parts[series.at("column").get<std::string>()][name];
+        for (const Document& value : part.at("standard_uncertainty"))
+          if (value.is_number()) greatest = std::max(greatest, value.get<double>());
+      }
+  std::map<std::string, double> result;
+  for (const auto& [column, values] : parts)
+    for (const auto& [name, value] : values) result[column] = std::hypot(result[column], value);
+  return result;
+}
+
+/// Panels with how far off what their axes show may be.
+Document with_uncertainties(Document panels, const std::map<std::string, double>& uncertainties) {
+  for (Document& panel : panels)
+    for (const char* key : {"x", "y"}) {
+      Document& axis = panel.at(key);
+      const auto found = uncertainties.find(axis.value("column", ""));
+      if (found != uncertainties.end() && found->second > 0) axis["uncertainty"] = found->second;
+    }
+  return panels;
+}
+
 /// Of the figures with their numbers; those of sections are no charts.
 Document figures_of(const Document& document) {
   Document figures = Document::array();
+  const std::map<std::string, double> uncertainties = column_uncertainties(document);
   for (const auto& [key, list] : document.items()) {
     if (!is_figures_key(key)) continue;
     for (const Document& figure : list)
@@ -38,7 +75,7 @@ Document figures_of(const Document& document) {
         figures.push_back({{"file", figure.at("file")},
                            {"title", figure.at("title")},
                            {"chart", key == figures_key},
-                           {"panels", figure.at("panels")}});
+                           {"panels", with_uncertainties(figure.at("panels"), uncertainties)}});
   }
   return figures;
 }
@@ -57,7 +94,7 @@ std::string html_page(const std::string& title, std::string_view css, const std:
   page["script_policy"] = policy;
   page["has_scripts"] = !scripts.empty();
   page["css"] = std::string(page_css).append(css);
-  page["body"] = body;
+  page["body"] = with_captions(with_glossary(body));
   page["scripts"] = elements;
   return fill_in(shell_mustache, page);
 }

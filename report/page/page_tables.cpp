@@ -8,6 +8,7 @@
 #include "engine/read/model_keys.h"
 #include "engine/run/mode_table.h"
 #include "report/base/document_value.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
@@ -81,7 +82,7 @@ data error_rows(const Document& document) {
     row["figure"] = text_of(error, "figure");
     row["published"] = reference != nullptr && reference->at("kind") == "published" &&
                        error.value("against", "printed") != "exact";
-    row["unit"] = unit;
+    row["unit"] = unit_text(unit);
     const Document& coverage = error.at("coverage");
     row["points"] =
         fmt::format("{} of {}", error.at("points").get<long>(), coverage.at("demanded").get<long>());
@@ -192,7 +193,7 @@ void add_loads_and_masses(const Document& the_case, Pairs& rows) {
     const std::string kind = text_of(load, "kind");
     const bool everywhere = kind == word(LoadKind::distributed);
     const char* unit = everywhere ? "N/m" : kind == word(LoadKind::moment) ? "N m" : "N";
-    std::string text = fmt::format("{} {} {}", kind, in_words(load.at("value")), unit);
+    std::string text = fmt::format("{} {}{}", kind, in_words(load.at("value")), unit_after(unit));
     if (!everywhere) text += " at " + in_words(load.at("at")) + " of the length";
     if (load.at("follows").get<bool>()) text += ", turning with the cable";
     if (const std::string factor = text_of(load, "factor"); factor != "1") text += ", times " + factor;
@@ -222,7 +223,7 @@ data case_rows(const Document& document) {
       if (value.is_null() || (key.of_computation && !solved_here) ||
           std::find(foreign.begin(), foreign.end(), key.name) != foreign.end())
         return;
-      rows.emplace_back(key.meaning, in_words(value) + (key.range.unit.empty() ? "" : " " + key.range.unit));
+      rows.emplace_back(key.meaning, in_words(value) + unit_after(key.range.unit));
     });
   };
   const Case any;
@@ -230,8 +231,8 @@ data case_rows(const Document& document) {
   add_loads_and_masses(the_case, rows);
   if (!document.contains(modes_key)) add("time", any.time);
   const auto product = [&](const char* meaning, const char* a, const char* b, const char* unit) {
-    rows.emplace_back(meaning,
-                      fmt::format("{:.12g} {}", cable.at(a).get<double>() * cable.at(b).get<double>(), unit));
+    rows.emplace_back(meaning, fmt::format("{:.12g}{}", cable.at(a).get<double>() * cable.at(b).get<double>(),
+                                           unit_after(unit)));
   };
   product("axial stiffness EA", "youngs_modulus", "area", "N");
   product("bending stiffness EI", "youngs_modulus", "second_moment", "N m²");

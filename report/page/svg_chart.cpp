@@ -8,35 +8,16 @@
 
 #include "render/plot/log_axis_ticks.h"
 #include "report/base/escape.h"
+#include "report/figure/number_markup.h"
 
 namespace plumb {
 namespace {
 
 constexpr double letter = 6.5;  // width of one in the size of the labels
 
-/// "10^{−3}" as text.
-std::string with_superscripts(const std::string& label) {
-  static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  constexpr std::string_view minus = "−";
-  std::string text;
-  bool raised = false;
-  for (std::size_t k = 0; k < label.size(); ++k) {
-    const char c = label[k];
-    if (c == '^' && k + 1 < label.size() && label[k + 1] == '{') {
-      raised = true;
-      ++k;
-    } else if (raised && c == '}') {
-      raised = false;
-    } else if (raised && c >= '0' && c <= '9') {
-      text += digits[c - '0'];
-    } else if (raised && label.compare(k, minus.size(), minus) == 0) {
-      text += "⁻";
-      k += minus.size() - 1;
-    } else {
-      text += c;
-    }
-  }
-  return text;
+double width_of(std::string_view text) {
+  const auto letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  return letter * static_cast<double>(letters);
 }
 
 struct PlacedAxis {
@@ -53,16 +34,15 @@ struct PlacedAxis {
 std::vector<std::pair<double, std::string>> ticks_of(const PlacedAxis& placed, double spacing) {
   if (!placed.axis.ticks.empty()) return placed.axis.ticks;
   const bool upright = placed.end < placed.begin;
-  const TickRoom room{std::abs(placed.end - placed.begin), spacing, 8, [=](std::string_view text) {
-                        return upright ? 14.0 : letter * static_cast<double>(text.size());
-                      }};
+  const TickRoom room{std::abs(placed.end - placed.begin), spacing, 8,
+                      [=](std::string_view text) { return upright ? 14.0 : width_of(text); }};
   const AxisTicks ticks = placed.axis.logarithmic ? log_axis_ticks(placed.axis.from, placed.axis.to, room)
                                                   : axis_ticks(placed.axis.from, placed.axis.to, room);
   std::vector<std::pair<double, std::string>> all;
   for (std::size_t k = 0; k < ticks.major.size(); ++k) {
-    std::string label = with_superscripts(ticks.labels[k]);
+    std::string label = plain_text(ticks.labels[k]);
     if (ticks.exponent != 0 && !label.empty() && ticks.major[k] != 0)
-      label += with_superscripts(fmt::format("·10^{{{}}}", ticks.exponent));
+      label += plain_text(fmt::format("·10^{{{}}}", ticks.exponent));
     all.emplace_back(ticks.major[k], label);
   }
   return all;
@@ -92,15 +72,20 @@ SvgAxis fitted_axis(const std::vector<double>& values, bool logarithmic, const s
 
 std::string to_svg(const SvgChart& chart) {
   constexpr double right = 12, top = 8, bottom = 38;
-  const double left = 58;
-  const PlacedAxis x{chart.x, left, chart.width - right}, y{chart.y, chart.height - bottom, top};
+  const PlacedAxis y{chart.y, chart.height - bottom, top};
+  const auto y_ticks = ticks_of(y, 42);
+  // Tick labels have the room they need beside the turned label of the axis.
+  constexpr double label_room = 20, least_left = 58;
+  double left = least_left;
+  for (const auto& [value, label] : y_ticks) left = std::max(left, label_room + width_of(label) + 6);
+  const PlacedAxis x{chart.x, left, chart.width - right};
   std::string svg = fmt::format(R"(<svg class="chart" viewBox="0 0 {} {}" role="img" aria-label="{}">)",
                                 chart.width, chart.height, escape_xml(chart.alt));
   for (const auto& [value, label] : ticks_of(x, 90))
     svg += fmt::format(
         R"(<path class="grid" d="M{0:.1f} {1:.1f}V{2:.1f}"/><text x="{0:.1f}" y="{3:.1f}" text-anchor="middle">{4}</text>)",
         x.at(value), y.begin, y.end, y.begin + 15, escape_xml(label));
-  for (const auto& [value, label] : ticks_of(y, 42))
+  for (const auto& [value, label] : y_ticks)
     svg += fmt::format(
         R"(<path class="grid" d="M{0:.1f} {1:.1f}H{2:.1f}"/><text x="{3:.1f}" y="{4:.1f}" text-anchor="end">{5}</text>)",
         x.begin, y.at(value), x.end, x.begin - 6, y.at(value) + 4, escape_xml(label));

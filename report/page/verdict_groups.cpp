@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "report/base/document_value.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 #include "report/page/verdict_html.h"
 
@@ -32,9 +33,8 @@ namespace {
 
 using kainjow::mustache::data;
 
-/// Shares and counts have the unit 1, which is not written.
 std::string with_unit(double value, const std::string& unit) {
-  return four_digits(value) + (unit == "1" ? "" : " " + unit);
+  return four_digits(value) + unit_after(unit);
 }
 
 std::string margin(const Verdict& verdict) {
@@ -120,6 +120,20 @@ std::string verdict_groups(const std::vector<Verdict>& verdicts, const std::stri
   values.set("groups", groups);
   values.set("none", none);
   return fill_in(verdict_groups_mustache, values);
+}
+
+data verdict_marks(const std::vector<Verdict>& verdicts) {
+  data marks{data::type::list};
+  for (const Group& group : groups_of(verdicts)) {
+    data mark;
+    mark["title"] = group.text.title;
+    const bool any = !group.verdicts.empty();
+    mark["class"] = any ? class_of(group.verdicts.front().status) : std::string("none");
+    mark["counts"] = any ? counts(group.verdicts) : std::string("none");
+    mark["link"] = any ? data(std::string(word(group.text.kind)) + "-verdicts") : data(false);
+    marks.push_back(mark);
+  }
+  return marks;
 }
 
 }  // namespace plumb

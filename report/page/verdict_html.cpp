@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "report/base/document_value.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 
 namespace plumb {
@@ -32,7 +33,7 @@ data verdict_rows(const std::vector<Verdict>& verdicts) {
     row["criterion"] = verdict->criterion;
     row["found"] = verdict->status == VerdictStatus::not_run
                        ? "not run"
-                       : four_digits(verdict->value) + (verdict->unit == "1" ? "" : " " + verdict->unit);
+                       : four_digits(verdict->value) + unit_after(verdict->unit);
     // Where nothing at all is allowed, there is no share of it.
     row["share"] = verdict->status == VerdictStatus::not_run ||
                            verdict->status == VerdictStatus::another_model || !(verdict->limit > 0)

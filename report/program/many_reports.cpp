@@ -13,10 +13,14 @@
 #include "render/image/apng.h"
 #include "render/image/thumbnail.h"
 #include "report/document/report_formats.h"
+#include "report/index/study_as_report.h"
 #include "report/program/earlier_report.h"
 #include "report/program/history_file.h"
 #include "report/program/output_use.h"
+#include "report/program/printed_page.h"
 #include "report/program/run_pipeline.h"
+#include "report/program/study_kinds.h"
+#include "report/program/work_precision_pipeline.h"
 
 namespace plumb {
 
@@ -29,6 +33,20 @@ int thumbnail_width(std::size_t among) {
   return among > 120 ? 104 : 160;
 }
 
+/// A picture of a report, or the last frame of an animation; empty where there is none that can be read.
+std::string picture_in(const fs::path& folder, const std::string& name) {
+  try {
+    const fs::path inner = fs::path(name).lexically_normal();
+    if (inner.empty() || inner.is_absolute() || *inner.begin() == "..") return "";
+    const std::string file = (folder / inner).string();
+    return split_apng(read_whole_file(file, InputKind::picture), file).back();
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
 /// A picture of what a report shows, in small: the end of its animation, else its first figure.
 std::string thumbnail_in(const fs::path& folder, const Document& document, int width) {
   try {
@@ -36,17 +54,65 @@ std::string thumbnail_in(const fs::path& folder, const Document& document, int w
     if (!animated && document.at(figures_key).empty()) return "";
     const std::string name =
         animated ? std::string(player_file) : document.at(figures_key)[0].at("file").get<std::string>();
-    const fs::path inner = fs::path(name).lexically_normal();
-    if (inner.is_absolute() || *inner.begin() == "..") return "";
-    const std::string file = (folder / inner).string();
-    const std::string bytes = read_whole_file(file, InputKind::picture);
-    return encode_png(thumbnail(decode_png(split_apng(bytes, file).back(), file), width));
+    const std::string picture = picture_in(folder, name);
+    return picture.empty() ? "" : encode_png(thumbnail(decode_png(picture, name), width));
   } catch (const Interrupted&) {
     throw;
   } catch (const std::exception&) {
     // It is there to be found by, no more.
     return "";
   }
+}
+
+/// A report with where it lies.
+struct FoundReport {
+  fs::path folder;
+  std::string seen;  ///< from the index
+  Document document;
+};
+
+/// The report in a folder, be it of a run or of a study.
+Document report_at(const fs::path& folder) {
+  const std::string file = (folder / "results.json").string();
+  if (!is_study(folder.string()) && !study_json_at(folder.string())) return find_document(file);
+  try {
+    std::vector<std::string> pictures;
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder / "figures", ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+      if (entry->path().extension() == ".png")
+        pictures.push_back("figures/" + entry->path().filename().string());
+    std::sort(pictures.begin(), pictures.end());
+    const Document study = parse_json<Document>(read_whole_file(file), file);
+    if (study.at("schema_version").get<int>() > results_version)
+      throw InputError(fmt::format("{}: is of version {}, and this program reads up to {}", file,
+                                   study.at("schema_version").get<int>(), results_version));
+    return study_as_report(study, pictures);
+  } catch (...) {
+    refuse_unusable(file);
+  }
+}
+
+/// Where what both have cannot be read, it is said among what cannot be compared.
+Beside beside_one_another(const FoundReport& first, const FoundReport& second) {
+  Beside beside{beside_of(first.document, first.seen, second.document, second.seen)};
+  const auto add = [&](const std::string& name, const std::string& title) {
+    PicturePair pair{title, picture_in(first.folder, name), picture_in(second.folder, name)};
+    if (!pair.first.empty() && !pair.second.empty())
+      beside.pictures.push_back(std::move(pair));
+    else
+      beside.document["not_compared"].push_back({{"what", name}, {"why", "it cannot be read in both"}});
+  };
+  const auto animated = [](const FoundReport& report) {
+    return report.document.at("animation").value("frames", 0) > 0;
+  };
+  if (animated(first) && animated(second)) add(player_file, "the end of the run");
+  const Document &figures = first.document.at(figures_key), &others = second.document.at(figures_key);
+  for (const Document& figure : figures)
+    if (std::any_of(others.begin(), others.end(),
+                    [&](const Document& other) { return other.at("file") == figure.at("file"); }))
+      add(figure.at("file").get<std::string>(), figure.at("title").get<std::string>());
+  return beside;
 }
 
 }  // namespace
@@ -76,19 +142,22 @@ IndexedReport report_in(const std::string& folder, const std::string& seen, cons
 }
 
 ExitStatus write_index(std::vector<IndexedReport> reports, std::size_t at_once, OutputFolder& folder,
-                       const Options& options, Console& console) {
+                       const Options& options, Console& console, const Beside& beside) {
   DrawingTools tools;
   std::vector<Picture> pictures;
   for (Picture& picture : drawn_figures(shared_figures(reports), tools, "index")) {
     folder.write(picture.file, picture.png);
     pictures.push_back(std::move(picture));
   }
-  const Document index = index_of(reports, pictures, at_once,
-                                  options.history.empty() ? History() : read_history(options.history));
+  Document index = index_of(reports, pictures, at_once,
+                            options.history.empty() ? History() : read_history(options.history));
+  if (!beside.document.is_null()) index["beside"] = beside.document;
   write_formats({"Plumb", index, true, index_suites(reports), index_summary(index)}, folder);
-  folder.write("index.html", index_page(index, pictures, reports));
+  folder.write("index.html", index_page(index, pictures, reports, beside.pictures));
+  add_pdf(folder, options);
   folder.commit();
   console.line(index.at("headline").get<std::string>());
+  if (index.contains("beside")) console.line(index["beside"].at("headline").get<std::string>());
   console.line("index: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(index));
   int worst = 0;
@@ -101,6 +170,7 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
   if (!options.history.empty()) check_history(options.history, console);
   std::vector<IndexedReport> reports;
   std::vector<Document> entries;
+  std::vector<FoundReport> found;
   FolderUse use = use_of_index(console);
   for (const std::string& path : folders) {
     std::error_code ignored;
@@ -110,17 +180,23 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const fs::path seen =
         fs::absolute(own).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
     const std::string file = (own / "results.json").string();
-    const Document document = find_document(file);
+    const Document document = report_at(own);
+    const bool study = document.contains(study_results_key);
+    if (study && !options.history.empty())
+      throw UsageError(fmt::format("--history is of runs, and {} is a study", path));
     check_claims(document, file);
-    if (!document.contains(check_sum_key)) console.remark(remark_without_sum(file));
+    if (!study && !document.contains(check_sum_key)) console.remark(remark_without_sum(file));
     reports.push_back(report_in(own.string(), seen.generic_string(), document, folders.size()));
+    // Of more than two none is compared with another one.
+    if (folders.size() == 2) found.push_back({own, seen.generic_string(), document});
     use.reads.push_back((own / "results.json").string());
     if (!options.history.empty()) entries.push_back(history_entry(document));
   }
   OutputFolder index(folder, use);
   if (!options.history.empty()) refuse_to_overwrite("--history", options.history, use.reads, index.path());
   for (const Document& entry : entries) append_history(options.history, entry);
-  return write_index(std::move(reports), 0, index, options, console);
+  const Beside beside = found.size() == 2 ? beside_one_another(found[0], found[1]) : Beside();
+  return write_index(std::move(reports), 0, index, options, console, beside);
 }
 
 }  // namespace plumb

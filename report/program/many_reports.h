@@ -37,6 +37,6 @@ IndexedReport report_in(const std::string& folder, const std::string& seen, cons
 /// Draws the figures of an index and writes all of it; says and prints what it is asked to. `at_once` is how
 /// many ran side by side; 0: none was run. Returns the greatest of their exit statuses.
 ExitStatus write_index(std::vector<IndexedReport> reports, std::size_t at_once, OutputFolder& folder,
-                       const Options& options, Console& console);
+                       const Options& options, Console& console, const Beside& beside = {});
 
 }  // namespace plumb

@@ -48,6 +48,7 @@ struct Options {
   std::string to;                      ///< of --to; empty: not given
   bool accept = false;                 ///< --accept
   std::vector<std::string> limits;     ///< of --limit
+  bool pdf = false;                    ///< --pdf
   std::string history;                 ///< of --history; empty: not given
   bool json = false;
   bool quiet = false;

@@ -220,6 +220,9 @@ void add_verb(const Verb& verb, CLI::App& app, Options& options) {
             "the page again from a results.json and the pictures beside it: nothing is solved, drawn "
             "or compared")
         ->type_name("FILE");
+  if (verb.takes_pdf)
+    command->add_flag("--pdf", options.pdf,
+                      "print the page as report.pdf as well, with Chromium where that is installed");
   if (verb.takes_baseline) {
     CLI::Option* baseline =
         command

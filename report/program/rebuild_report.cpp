@@ -10,6 +10,7 @@
 #include "engine/run/output_folder.h"
 #include "report/document/report_formats.h"
 #include "report/page/page.h"
+#include "report/program/printed_page.h"
 #include "report/program/run_pipeline.h"
 #include "report/program/run_sections.h"
 
@@ -63,6 +64,7 @@ ExitStatus report_from_document(const Options& options, Console& console) {
                        .remark = [&console](const std::string& text) { console.remark(text); }});
   for (const auto& [file, text] : made.files) output.write(file, text);
   output.write("index.html", made.page);
+  add_pdf(output, options);
   output.commit();
   say_report(made.document, folder.string(), options, console);
   return made.status;

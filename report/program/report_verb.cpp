@@ -8,6 +8,7 @@
 #include "report/program/limits.h"
 #include "report/program/many_reports.h"
 #include "report/program/output_use.h"
+#include "report/program/printed_page.h"
 #include "report/program/rebuild_report.h"
 #include "report/program/run_pipeline.h"
 #include "report/program/run_sections.h"
@@ -21,6 +22,7 @@ namespace plumb {
 namespace {
 
 ExitStatus do_report(const Options& options, Console& console) {
+  check_pdf(options);
   if (!options.from.empty()) {
     return report_from_document(options, console);
   }
@@ -67,6 +69,7 @@ Verb report_verb() {
           .takes_many = true,
           .takes_history = true,
           .takes_document = true,
+          .takes_pdf = true,
           .takes_output = true,
           .is_estimated = true,
           .uses_renderer = true};

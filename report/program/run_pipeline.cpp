@@ -18,6 +18,7 @@
 #include "report/program/earlier_report.h"
 #include "report/program/history_file.h"
 #include "report/program/output_use.h"
+#include "report/program/printed_page.h"
 #include "report/program/run_sections.h"
 
 namespace plumb {
@@ -208,6 +209,7 @@ ExitStatus draw_and_report(const Run& run, const std::vector<RunSection>& sectio
   if (!options.history.empty()) add_history(document, options.history);
   stages.begin("report");
   write_report(document, pictures, page_sections(), folder);
+  add_pdf(folder, options);
   folder.commit();
   if (!options.history.empty()) append_history(options.history, history_entry(document));
   stages.end();

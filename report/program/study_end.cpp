@@ -1,6 +1,7 @@
 #include "report/program/study_end.h"
 
 #include "engine/base/file_writing.h"
+#include "report/program/printed_page.h"
 #include "report/program/run_pipeline.h"
 
 namespace plumb {
@@ -32,6 +33,7 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   folder.write("index.html", to_page(report, study.section(pictures)));
   const ReportContent content = content_of(report);
   write_formats(content, folder);
+  add_pdf(folder, options);
   folder.commit();
   stages.end();
   for (const Finding& finding : study.findings()) say(finding, console);

@@ -18,6 +18,7 @@ struct Verb {
   bool takes_baseline = false;
   bool takes_history = false;
   bool takes_document = false;  ///< --from, in the place of its argument
+  bool takes_pdf = false;       ///< --pdf
   bool takes_overrides = false;
   bool takes_output = false;
   bool takes_csv = false;

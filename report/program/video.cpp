@@ -15,18 +15,19 @@
 #include "engine/base/file_text.h"
 #include "engine/base/file_writing.h"
 #include "engine/base/interrupt.h"
+#include "report/program/found_program.h"
 
 namespace plumb {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* program = "ffmpeg";
+constexpr const char* encoder = "ffmpeg";
 constexpr int not_there = 127;
 constexpr const char* log_name = "ffmpeg.log";
 
 std::vector<std::string> arguments(const std::string& file, double frame_rate) {
-  std::vector<std::string> all{program, "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate",
+  std::vector<std::string> all{encoder, "-loglevel", "error", "-y", "-f", "image2pipe", "-framerate",
                                fmt::format("{:.6g}", frame_rate), "-c:v", "png", "-i", "-",
                                // Most players know no other colours, which need even sides.
                                "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
@@ -35,23 +36,12 @@ std::vector<std::string> arguments(const std::string& file, double frame_rate) {
   return all;
 }
 
-bool is_there() {
-  const char* path = std::getenv("PATH");
-  std::string folders = path != nullptr ? path : "";
-  for (std::size_t begin = 0; begin <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', begin), folders.size());
-    if (::access((folders.substr(begin, end - begin) + "/" + program).c_str(), X_OK) == 0) return true;
-    begin = end + 1;
-  }
-  return false;
-}
-
 }  // namespace
 
 Video::Video(const std::string& file, double frame_rate) : file_(file), place_(place_of_file(file)) {
   if (!file.ends_with(".mp4") && !file.ends_with(".webm"))
     throw UsageError(fmt::format("--video {}: must end in .mp4 or .webm", file));
-  if (!is_there())
+  if (found_program(encoder).empty())
     throw OutputError(
         fmt::format("{}: needs ffmpeg, which is not installed; animation.png needs nothing", file));
   if (!place_.empty()) {

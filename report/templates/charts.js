@@ -1,5 +1,6 @@
 // The figures as charts, in the place of the drawn pictures, which stay for paper. A time that is pointed at in one is
-// shown in all of them and by the player. The numbers shown are those of results.json, digit by digit.
+// shown in all of them and by the player. Numbers are read out to the digits that their uncertainty bears, and to all
+// those of results.json once one is pressed.
 (() => {
   "use strict";
   const { data, make, clock } = plumb;
@@ -11,17 +12,32 @@
   const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const colorOf = (series, k) => (series.color ? (series.color === "#000000" ? color("--ink") : series.color) : color(`--series-${k % 6}`));
   const dashes = { solid: [], dashed: [7, 4], dotted: [2, 3] };
-  const axisWidth = 72;
+  const leastAxisWidth = 72;
 
   // ---- numbers
 
   const known = (value) => value !== null && value !== undefined;
   const exact = (value) => (known(value) ? String(value).replace("-", "−") : "not finite");
+  const signs = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+  // "1.2·10⁻¹⁴", where JavaScript writes "1.2e-14".
+  const typeset = (text) =>
+    text.replace(/e\+?(-?\d+)$/, (_, power) => `·10${[...power].map((sign) => signs[sign]).join("")}`).replace(/^1·/, "").replace(/^-1·/, "-").replace("-", "−");
   // Small numbers have few digits, so that they keep to the width of an axis.
   const short = (value) => {
     const small = value !== 0 && Math.abs(value) < 1e-3;
-    return (small ? String(Number(value.toPrecision(2))) : String(Number(value.toPrecision(4)))).replace(/-/g, "−");
+    return typeset(String(Number(value.toPrecision(small ? 2 : 4))));
   };
+  // To what it may be off by, of which one digit is shown, or two where that begins with 1 or 2.
+  const readable = (value, uncertainty) => {
+    if (!known(value) || !(uncertainty > 0)) return exact(value);
+    const first = Math.floor(Math.log10(uncertainty));
+    const place = uncertainty < 3 * 10 ** first ? first - 1 : first;
+    const digits = value === 0 ? 1 : Math.floor(Math.log10(Math.abs(value))) - place + 1;
+    if (digits < 1) return place > -6 ? (0).toFixed(Math.max(-place, 0)) : "0";
+    if (place >= -6 && place <= 0) return typeset(value.toFixed(-place));
+    return typeset(Number(value).toPrecision(Math.min(digits, 17)));
+  };
+  const moments = (value) => String(Number(value.toPrecision(6)));
   const nearest = (values, value) => {
     let best = -1;
     values.forEach((v, k) => {
@@ -34,19 +50,22 @@
   const timesOf = (panel, series) => (panel.over_time ? series.x : series.time);
 
   class PanelChart {
-    constructor(panel, name) {
+    constructor(panel, name, group) {
       this.panel = panel;
+      this.group = group;
       this.name = name;
       this.timed = panel.series.some((series) => timesOf(panel, series));
       this.at = panel.series.map(() => -1);  // the point of each series that is shown
       this.canvas = make("canvas", { tabIndex: 0 });
       const box = make("div", { className: "panel-box" }, this.canvas);
-      box.style.height = `${Math.max(11, (panel.equal_axes ? 26 : 19) * panel.height_share)}rem`;
+      box.style.height = `calc(var(--panel-scale, 1) * ${Math.max(11, (panel.equal_axes ? 26 : 19) * panel.height_share)}rem)`;
       this.moment = make("span", { className: "moment" });
+      this.full = false;
       this.values = panel.series.map((series, k) => {
-        const sample = make("span", { className: "sample" });
-        sample.classList.toggle("points", series.marker && !series.line);
-        return { sample, value: make("span", { className: "value" }), item: null, k };
+        const value = make("button", { type: "button", className: "value", title: "All digits, or those that it is known to" });
+        value.hidden = true;  // until there is a number
+        value.addEventListener("click", () => this.showAll(!this.full));
+        return { sample: this.sampleOf(series), value, item: null, k };
       });
       const list = make("ul");
       for (const entry of this.values) {
@@ -62,6 +81,46 @@
         this.canvas.setAttribute("aria-valuemin", 0);
         this.canvas.setAttribute("aria-valuemax", clock.end);
       }
+    }
+
+    // What stands for a series in the read-out: its line with its dashes, its points, or both.
+    sampleOf(series) {
+      const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+      const part = (name, attributes) => {
+        const node = document.createElementNS(svg.namespaceURI, name);
+        for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+        svg.append(node);
+      };
+      const dash = dashes[series.dash];
+      const width = series.line ? Math.max(24, 2 * (dash[0] || 0) + (dash[1] || 0) + 2) : 10;
+      svg.setAttribute("width", width);
+      svg.setAttribute("height", 10);
+      svg.setAttribute("class", "sample");
+      svg.setAttribute("aria-hidden", "true");
+      if (series.line) part("path", { d: `M0 5H${width}`, "stroke-width": 2, ...(dash.length ? { "stroke-dasharray": dash.join(" ") } : {}) });
+      if (series.marker) part("circle", { cx: width / 2, cy: 5, r: 3.5, "stroke-width": 1.4 });
+      return svg;
+    }
+
+    // Half the width of what a value may be: as is stated, or of its panel's range what can be seen.
+    uncertaintyOf(series, along, i) {
+      const bars = along === "x" ? series.x_error : series.y_error;
+      if (bars && known(bars.lower[i]) && known(bars.upper[i])) return (bars.upper[i] - bars.lower[i]) / 2;
+      const axis = this.panel[along];
+      if (axis.uncertainty) return axis.uncertainty;
+      if (axis.scale === "logarithmic") return Math.abs(series[along][i]) / 100;
+      const { min, max } = this.chart.scales[along];
+      return (max - min) / 200;
+    }
+
+    numberOf(series, along, i) {
+      return this.full ? exact(series[along][i]) : readable(series[along][i], this.uncertaintyOf(series, along, i));
+    }
+
+    showAll(full) {
+      this.full = full;
+      for (const { value } of this.values) value.setAttribute("aria-pressed", full);
+      if (this.last) this.read(...this.last);
     }
 
     // Once its place in the page is known.
@@ -91,6 +150,21 @@
       }));
     }
 
+    // A label in lines that are no longer than its axis.
+    linesOf(label, length, font) {
+      const ctx = this.canvas.getContext("2d");
+      ctx.save();
+      ctx.font = `${font.size}px ${font.family}`;
+      const lines = [];
+      for (const word of label.split(" ")) {
+        const longer = lines.length ? `${lines[lines.length - 1]} ${word}` : word;
+        if (lines.length && ctx.measureText(longer).width <= length) lines[lines.length - 1] = longer;
+        else lines.push(word);
+      }
+      ctx.restore();
+      return lines;
+    }
+
     options() {
       const font = { family: getComputedStyle(document.body).fontFamily, size: 13 };
       const axis = ({ label, scale, range }, zeroLine) => ({
@@ -104,9 +178,15 @@
         ticks: { color: color("--ink"), font, maxRotation: 0, autoSkipPadding: 16, includeBounds: false, callback: short },
         title: { display: true, text: label, color: color("--ink"), font },
       });
+      const foot = this.panel.shares_x_below ? 12 : 56;  // of what is below the axis
       const x = axis(this.panel.x, this.panel.x.zero_line);
       const y = axis(this.panel.y, this.panel.y.zero_line);
-      y.afterFit = (scale) => { scale.width = axisWidth; };
+      y.title.text = this.linesOf(this.panel.y.label, this.canvas.parentNode.clientHeight - foot, font);
+      // Those of one figure are as wide as the widest needs, so that labels have room and frames are aligned.
+      y.afterFit = (scale) => {
+        this.group.axisWidth = Math.max(this.group.axisWidth, Math.ceil(scale.width));
+        scale.width = this.group.axisWidth;
+      };
       // Panels above each other begin and end alike, however long their labels are.
       x.afterFit = (scale) => { scale.paddingLeft = scale.paddingRight = 0; };
       // What bands reach has to be in sight.
@@ -249,19 +329,23 @@
         const times = timesOf(panel, series);
         this.at[s] = times ? nearest(times, moment) : -1;
       });
-      this.read(`${exact(moment)} s`, moment);
+      this.read(`${moments(moment)} s`, moment);
       this.canvas.setAttribute("aria-valuenow", moment);
     }
 
     read(moment, time) {
       const { panel } = this;
+      this.last = [moment, time];
       this.moment.textContent = moment;
       for (const { k, value } of this.values) {
         const series = panel.series[k], i = this.at[k];
         const times = timesOf(panel, series);
+        value.hidden = false;
+        value.disabled = i < 0;
         if (i < 0) { value.textContent = "–"; continue; }
-        const numbers = panel.over_time ? exact(series.y[i]) : `${exact(series.x[i])}, ${exact(series.y[i])}`;
-        value.textContent = times && times[i] !== time && time !== undefined ? `${numbers} (at ${exact(times[i])} s)` : numbers;
+        const y = this.numberOf(series, "y", i);
+        const numbers = panel.over_time ? y : `${this.numberOf(series, "x", i)}, ${y}`;
+        value.textContent = times && times[i] !== time && time !== undefined ? `${numbers} (at ${moments(times[i])} s)` : numbers;
       }
       this.canvas.setAttribute("aria-valuetext", `${moment}: ${this.values.map(({ item }) => item.textContent).join("; ")}`);
       this.chart.draw();
@@ -338,10 +422,12 @@
     const drawable = shown && shown.chart && shown.panels.length && shown.panels.every((panel) => panel.only_series && panel.series.length);
     if (!drawable) continue;
     const picture = figure.querySelector("img");
-    const charts = shown.panels.map((panel) => new PanelChart(panel, picture.alt));
+    const group = { axisWidth: leastAxisWidth };
+    const charts = shown.panels.map((panel) => new PanelChart(panel, picture.alt, group));
     figure.prepend(make("div", { className: "chart screen" }, ...charts.map((chart) => chart.node)));
     picture.classList.add("paper");
     for (const chart of charts) chart.begin();
+    for (const chart of charts) chart.chart.update("none");
     plumb.charts.push(...charts);
   }
 })();

@@ -16,5 +16,16 @@ const plumb = (() => {
     node.addEventListener("click", act);
     return node;
   };
+  // Which section is being read, in the column of contents.
+  const links = new Map([...document.querySelectorAll(".contents a")].map((link) => [document.querySelector(link.hash), link]));
+  links.delete(null);
+  const watch = new IntersectionObserver(() => {
+    const passed = [...links.keys()].filter((section) => section.getBoundingClientRect().top < innerHeight / 3);
+    for (const [section, link] of links) {
+      if (section === passed[passed.length - 1]) link.setAttribute("aria-current", "true");
+      else link.removeAttribute("aria-current");
+    }
+  }, { rootMargin: "0px 0px -66% 0px" });
+  for (const section of links.keys()) watch.observe(section);
   return { data: JSON.parse(document.getElementById("page-data").textContent), make, button };
 })();

@@ -33,8 +33,9 @@ std::string drift_in_words(const Trajectory& trajectory) {
   const double relative = trajectory.relative_energy_drift();
   if (relative < 0) return "that cannot be told";
   return fmt::format(
-      "{:.3g} of the {} kinetic energy", relative,
-      trajectory.kinetic_scale() == trajectory.energies.front().kinetic ? "first" : "greatest");
+      "{:.3g} of the {} kinetic energy{}", relative,
+      trajectory.kinetic_scale() == trajectory.energies.front().kinetic ? "first" : "greatest",
+      trajectory.energy_drift() <= trajectory.energy_round_off() ? ", no more than rounding makes" : "");
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "engine/base/file_text.h"
@@ -15,9 +16,10 @@
 #include "tests/report/made_run.h"
 #include "tests/report/program/program.h"
 
-// The page of a run in Debian's Chromium. All tests read the same three pages, which the first one makes: of
-// a run of the pendulum, of one that failed, and of one with hostile texts. They do so in one browser, which
-// the second one leaves for them, or each in its own where there is none.
+// The page of a run in Debian's Chromium. All tests read the same pages, which the first ones make: of a
+// run of the pendulum, of one that failed, of both beside one another, of a study, and of one with hostile
+// texts. They do so in one browser, which the second one leaves for them, or each in its own where there is
+// none.
 
 namespace plumb {
 namespace {
@@ -103,6 +105,16 @@ TEST(Pages, AreMade) {
   write_text(pages / "hostile.html", hostile_page());
   const Ended both = plumb_in(pages, {"report", "run", "failed", "-o", "index", "--history", "runs.jsonl"});
   ASSERT_EQ(both.status, 4) << both.err;
+}
+
+TEST(Pages, OfAStudyIsMade) {
+  std::string text = small_pendulum();
+  const std::string points = "points = 4\n[study.work_precision.quick]";
+  text.replace(text.find(points), points.size(),
+               "points = 2\nmethods = [\"rk4\"]\n[study.work_precision.quick]");
+  write_text(pages / "study.toml", text);
+  const Ended study = plumb_in(pages, {"study", "study.toml", "work-precision", "-o", "study"});
+  ASSERT_LE(study.status, 1) << study.err;
 }
 
 TEST(Pages, HaveABrowserThatAnotherProcessCanUse) {
@@ -250,6 +262,13 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
     const double time = document["probes"]["t"]["values"][k];
     point_at(0, time);
     const std::string panel = "plumb.charts[0].node.querySelector";
+    // To the digits that the uncertainty bears, until they are asked for.
+    const std::string few = tab().value_of(panel + "('.value').textContent");
+    EXPECT_LE(few.size(), 9U) << few;
+    EXPECT_NEAR(number_in(few), document["probes"]["mid.y"]["values"][k].get<double>(), 2e-3);
+    tab().value_of("for (const chart of plumb.charts) chart.showAll(false)");
+    for (const int chart : {0, 1, 4})
+      tab().value_of("plumb.charts[" + std::to_string(chart) + "].node.querySelector('.value').click()");
     EXPECT_EQ(number_in(tab().value_of(panel + "('.moment').textContent")), time);
     EXPECT_EQ(number_in(tab().value_of(panel + "('.value').textContent")),
               document["probes"]["mid.y"]["values"][k].get<double>())
@@ -258,6 +277,8 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
               document["errors"][0]["expected"][k].get<double>());
     EXPECT_EQ(number_in(tab().value_of("plumb.charts[1].node.querySelector('.value').textContent")),
               document["errors"][0]["difference"][k].get<double>());
+    tab().value_of("plumb.charts[0].node.querySelector('.value').click()");
+    EXPECT_EQ(tab().value_of(panel + "('.value').textContent"), few);
     EXPECT_EQ(tab().value_of("new Set(plumb.charts.filter((c) => c.timed).map((c) => "
                              "c.canvas.getAttribute('aria-valuenow'))).size"),
               1)
@@ -267,6 +288,43 @@ TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
   }
   EXPECT_EQ(number_in(tab().value_of("plumb.charts[4].node.querySelector('.value').textContent")),
             document["energy"]["kinetic"][100].get<double>());
+}
+
+TEST_F(PageInBrowser, LegendsAndLabelsOfChartsAreThoseOfWhatIsDrawn) {
+  open_run();
+  const Json samples = tab().value_of(
+      "plumb.charts.flatMap(({ panel, chart, values }) => panel.series.map((series, k) => ({ label: "
+      "series.label, "
+      "drawn: chart.data.datasets[k].borderDash.join(' '), line: chart.data.datasets[k].showLine, "
+      "shown: (values[k].sample.querySelector('path')?.getAttribute('stroke-dasharray')) ?? '', "
+      "path: values[k].sample.querySelectorAll('path').length, "
+      "points: values[k].sample.querySelectorAll('circle').length, "
+      "drawn_points: chart.data.datasets[k].pointRadius > 0 })))");
+  long dashed = 0;
+  for (const Json& sample : samples) {
+    EXPECT_EQ(sample["shown"], sample["line"] == true ? sample["drawn"] : Json("")) << sample;
+    EXPECT_EQ(sample["path"] == 1, sample["line"] == true) << sample;
+    EXPECT_EQ(sample["points"] == 1, sample["drawn_points"] == true) << sample;
+    dashed += sample["shown"] != "";
+  }
+  EXPECT_GT(dashed, 2);
+  // Beside its axis a chart has the labels of the ticks, their marks, and the turned label: none over
+  // another.
+  const Json tight = tab().value_of(
+      "plumb.charts.filter(({ chart }) => { const y = chart.scales.y, { ctx } = chart; ctx.font = '13px ' + "
+      "getComputedStyle(document.body).fontFamily; const widest = Math.max(...y.ticks.map(({ label }) => "
+      "ctx.measureText(label).width)), lines = y.options.title.text; return y.right - y.left < widest + 13 * "
+      "1.2 * "
+      "lines.length || lines.some((line) => ctx.measureText(line).width > chart.height); }).map(({ name, "
+      "panel }) "
+      "=> "
+      "name + ' ' + panel.y.label)");
+  EXPECT_EQ(tight, Json::array());
+  EXPECT_EQ(tab().value_of("plumb.charts.some(({ panel }) => panel.y.label.includes('m⁻¹'))"), true);
+  EXPECT_EQ(tab().value_of("[...document.querySelectorAll('.readout')].some((node) => /\\de[-−]\\d/"
+                           ".test(node.textContent))"),
+            false)
+      << "powers of ten are typeset";
 }
 
 TEST_F(PageInBrowser, TimeMovesTheLineInEveryChart) {
@@ -405,7 +463,8 @@ TEST_F(PageInBrowser, DataOfAFigureAreThoseOfItsFile) {
 }
 
 TEST_F(PageInBrowser, FitsWideAndNarrowWindows) {
-  for (const char* page : {"run/index.html", "failed/index.html", "hostile.html", "index/index.html"}) {
+  for (const char* page :
+       {"run/index.html", "failed/index.html", "hostile.html", "index/index.html", "study/index.html"}) {
     tab().resize(360, 800);
     open(page);
     for (const int width : {360, 1400}) {
@@ -569,11 +628,92 @@ TEST_F(PageInBrowser, IndexFindsReportsByTextAndStatusAndShowsTheirComparisons) 
   EXPECT_NE(text_of("noscript").find("Scripts are off here"), std::string::npos) << text_of("noscript");
 }
 
+TEST_F(PageInBrowser, BeginsWithVerdictsFiguresAndAnimationBesideAColumnOfContents) {
+  open_run();
+  const auto box = [&](const std::string& selector) {
+    return tab().value_of("(() => { const b = document.querySelector('" + selector +
+                          "').getBoundingClientRect(); return [b.left, b.top, b.right, b.bottom]; })()");
+  };
+  EXPECT_EQ(count(".marks .mark"), 4);
+  EXPECT_EQ(text_of(".mark.passed").substr(0, 10), "Validation");
+  EXPECT_EQ(count(".lead figure.plot"), 2);
+  const Json first = box(".lead figure.plot"), moving = box("#animation"), contents = box(".contents"),
+             main = box("main");
+  EXPECT_LT(first[2].get<double>(), moving[0].get<double>()) << "abreast";
+  EXPECT_LT(first[1].get<double>(), 500) << "what is seen first";
+  EXPECT_LT(moving[1].get<double>(), 500);
+  EXPECT_LE(contents[2].get<double>(), main[0].get<double>());
+  tab().value_of("document.querySelector('#formulation').scrollIntoView()");
+  tab().wait_until("document.querySelector('.contents [aria-current]')?.hash === '#formulation'");
+  EXPECT_GE(box(".contents")[1].get<double>(), 0) << "it follows";
+  const Json beside = tab().value_of(
+      "(() => { const f = [...document.querySelectorAll('#figures figure')].map((n) => "
+      "n.getBoundingClientRect()); return f[1].left > f[0].right && f[1].top === f[0].top; })()");
+  EXPECT_EQ(beside, true) << "figures are two abreast";
+  EXPECT_EQ(tab().value_of("[...document.querySelectorAll('.contents a, a.term')].filter((link) => "
+                           "!document.querySelector(link.hash)).map((link) => link.hash)"),
+            Json::array());
+  EXPECT_GT(count("a.term"), 3);
+  open("study/index.html");
+  EXPECT_LE(box(".contents")[2].get<double>(), box("main")[0].get<double>()) << "of a study as well";
+}
+
+TEST_F(PageInBrowser, TwoReportsHaveTheirCurvesAndPicturesOverOneAnother) {
+  open("index/index.html");
+  EXPECT_EQ(tab().complaints(), std::vector<std::string>{});
+  EXPECT_GT(tab().value_of("plumb.charts.length"), 1);
+  EXPECT_EQ(tab().value_of("plumb.charts.every(({ panel }) => panel.series.length === 2)"), true);
+  EXPECT_GT(count("figure.pair"), 2);
+  EXPECT_EQ(count("figure.pair.sliding input[type=range]"), count("figure.pair"));
+  tab().value_of(
+      "(() => { const s = document.querySelector('figure.pair input'); s.value = 25; "
+      "s.dispatchEvent(new Event('input')); })()");
+  EXPECT_EQ(tab().value_of("getComputedStyle(document.querySelector('figure.pair img + img')).clipPath"),
+            "inset(0px 0px 0px 25%)");
+  EXPECT_GT(count("#beside tbody tr"), 8);
+  tab().call("Emulation.setScriptExecutionDisabled", {{"value", true}});
+  open("index/index.html");
+  EXPECT_EQ(count("figure.pair input"), 0);
+  EXPECT_EQ(tab().value_of("(() => { const [a, b] = document.querySelectorAll('figure.pair img'); return "
+                           "a.getBoundingClientRect().right <= b.getBoundingClientRect().left; })()"),
+            true)
+      << "side by side without scripts";
+}
+
+TEST_F(PageInBrowser, OnPaperIsNumberedAndWholeWithoutControls) {
+  open_run();
+  tab().resize(680, 900);  // of A4 between its margins
+  tab().emulate(Json::object(), "print");
+  EXPECT_EQ(count("nav, select, input, .table-tools"), 0);
+  EXPECT_EQ(tab().value_of("[...document.querySelectorAll('table')].filter((t) => t.getBoundingClientRect()"
+                           ".right > innerWidth + 1).map((t) => t.caption.textContent)"),
+            Json::array())
+      << "no table is cut";
+  EXPECT_EQ(tab().value_of("[...document.querySelectorAll('table')].every((t) => t.caption && "
+                           "t.caption.checkVisibility() && t.caption.textContent.length > 2)"),
+            true);
+  EXPECT_EQ(tab().value_of("getComputedStyle(document.querySelector('figcaption'), '::before').content"),
+            "\"Figure \" counter(figure) \". \"");
+  EXPECT_EQ(tab().value_of("getComputedStyle(document.querySelector('caption'), '::before').content"),
+            "\"Table \" counter(table) \". \"");
+  EXPECT_EQ(
+      tab().value_of("[...document.querySelectorAll('details:not([open]) > :not(summary)')].filter((n) => "
+                     "!n.getBoundingClientRect().height).length"),
+      0)
+      << "what is folded on the screen is open";
+  EXPECT_EQ(count("#references li"), 4);
+  EXPECT_GT(count("#glossary dt"), 3);
+}
+
 TEST_F(PageInBrowser, HasNothingThatAxeFinds) {
-  const std::string axe = std::string(PLUMB_SOURCE_DIR) + "/node_modules/axe-core/axe.min.js";
-  if (!fs::exists(axe))
-    GTEST_SKIP() << "axe-core is not installed; `npm install axe-core` in the source folder";
-  for (const char* page : {"run/index.html", "failed/index.html"})
+  // Where npm puts it in the source folder, or in one that NODE_PATH names.
+  const char* node_path = std::getenv("NODE_PATH");
+  std::string axe;
+  for (const std::string& folder :
+       {std::string(PLUMB_SOURCE_DIR) + "/node_modules", std::string(node_path != nullptr ? node_path : "")})
+    if (const std::string file = folder + "/axe-core/axe.min.js"; axe.empty() && fs::exists(file)) axe = file;
+  if (axe.empty()) GTEST_SKIP() << "axe-core is not installed; `npm install axe-core` in the source folder";
+  for (const char* page : {"run/index.html", "failed/index.html", "index/index.html", "study/index.html"})
     for (const char* scheme : {"light", "dark"}) {
       tab().emulate({{"prefers-color-scheme", scheme}, {"prefers-reduced-motion", "reduce"}});
       open(page);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 #include "report/study/sensitivity/sensitivity_figure.h"
 #include "report/study/sensitivity/sensitivity_results.h"
@@ -32,8 +33,8 @@ data criterion_heads(const Document& criteria, const std::vector<std::size_t>& a
   for (const std::size_t k : asked) {
     data head;
     head["name"] = text_of(criteria[k], "name");
-    head["limit"] =
-        fmt::format("≤ {:.3g} {}", criteria[k].at("limit").get<double>(), text_of(criteria[k], "unit"));
+    head["limit"] = fmt::format("≤ {:.3g}{}", criteria[k].at("limit").get<double>(),
+                                unit_after(text_of(criteria[k], "unit")));
     heads.push_back(head);
   }
   return heads;
@@ -95,10 +96,10 @@ data blunder_rows(const Document& blunders, const Document& criteria, const std:
         data cell;
         cell["class"] = noticed ? "passed" : "not-run";
         cell["text"] = noticed ? "noticed" : "not noticed";
-        cell["value"] = !value.is_number() ? std::string("not finite")
-                        : value.get<double>() < 0
-                            ? std::string("not judged")
-                            : fmt::format("{:.2g} {}", value.get<double>(), text_of(criteria[k], "unit"));
+        cell["value"] = !value.is_number()        ? std::string("not finite")
+                        : value.get<double>() < 0 ? std::string("not judged")
+                                                  : fmt::format("{:.2g}{}", value.get<double>(),
+                                                                unit_after(text_of(criteria[k], "unit")));
         cells.push_back(cell);
       }
     row.set("cells", cells);

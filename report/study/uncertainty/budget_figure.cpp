@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/figure/number_markup.h"
 #include "report/study/panel_parts.h"
 
 namespace plumb {
@@ -43,7 +44,7 @@ Figure budget_figure(const ErrorBudget& budget) {
   const std::vector<Kind> kinds = kinds_of(budget);
   Panel panel;
   panel.y.label = fmt::format("greatest distance to the base run [{}]",
-                              budget.series.empty() ? "m" : budget.series.front().unit);
+                              budget.series.empty() ? "m" : unit_markup(budget.series.front().unit));
   constexpr double group_width = 0.84;
   const double width = group_width / static_cast<double>(kinds.size());
   double highest = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/study/uncertainty/budget_json.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 #include "report/study/uncertainty/budget_figure.h"
 
@@ -81,7 +82,7 @@ std::string budget_in_words(const Document& budget) {
   const auto amount = [&](const Json& run, const char* key) -> std::string {
     const double value = greatest(run, key);
     if (std::isnan(value)) return std::string("no finite distance");
-    if (value >= 0) return fmt::format("{:.2g} {}", value, unit);
+    if (value >= 0) return fmt::format("{:.2g}{}", value, unit_after(unit));
     const std::string outcome = text_of(run, "outcome");
     return outcome == "completed" ? std::string("not compared") : outcome;
   };
@@ -117,7 +118,7 @@ std::string budget_html(const Document& budget, const std::vector<Picture>& pict
       data head;
       head["column"] = text_of(item, "column");
       head["description"] = text_of(item, "description");
-      head["unit"] = text_of(item, "unit");
+      head["unit"] = unit_text(text_of(item, "unit"));
       head["has_sampled"] = sampled;
       heads.push_back(head);
     }

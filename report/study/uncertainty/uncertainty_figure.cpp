@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "report/figure/number_markup.h"
+
 namespace plumb {
 namespace {
 
@@ -13,7 +15,7 @@ Panel panel_of(const SeriesUncertainty& series) {
   Panel panel;
   panel.title = fmt::format("{}: {}", series.reference, series.column);
   panel.x.label = "time [s]";
-  panel.y.label = fmt::format("E [{}]", series.unit);
+  panel.y.label = fmt::format("E [{}]", unit_markup(series.unit));
   panel.y.zero_line = true;
   Series band;
   band.label = fmt::format("± {:g} u{}", coverage_factor, series.whole() ? "" : ", at least");

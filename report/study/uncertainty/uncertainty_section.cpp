@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/study/uncertainty/uncertainty_json.h"
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 #include "report/study/uncertainty/uncertainty_figure.h"
 
@@ -60,7 +61,7 @@ data series_rows(const Json& uncertainty) {
                        ? fmt::format("{:+.3g}", series.at("error_at_greatest").get<double>())
                        : "not finite";
     row["time"] = fmt::format("{:.4g}", series.at("time_of_greatest").get<double>());
-    row["unit"] = text_of(series, "unit");
+    row["unit"] = unit_text(text_of(series, "unit"));
     row.set("parts", part_cells(series));
     row["u"] = at_least + number(u);
     row["expanded"] = u.is_number() ? at_least + fmt::format("{:.2g}", k * u.get<double>()) : "not finite";

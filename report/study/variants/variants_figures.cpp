@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/figure/number_markup.h"
+
 namespace plumb {
 namespace {
 
@@ -115,7 +117,7 @@ Figure probe_figure(const Variants& study) {
     const Column& column = variant.probes.columns.front();
     if (name.empty()) {
       name = column.name;
-      panel.y.label = fmt::format("{} [{}]", name, column.unit);
+      panel.y.label = fmt::format("{} [{}]", name, unit_markup(column.unit));
     }
     add_line(k, variant, variant.probes.times, column.values, panel);
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 #include "report/study/variants/variants_results.h"
 
@@ -46,7 +47,7 @@ data figure_row(const VariantResult& variant, const ExpectationFound& figure) {
   row["variant"] = variant.spec.name;
   row["quantity"] = expected.from.empty() ? expected.quantity
                                           : fmt::format("{} from \"{}\"", expected.quantity, expected.from);
-  row["unit"] = figure.unit;
+  row["unit"] = unit_text(figure.unit);
   row["expected"] = to_margin(expected.value, expected.within);
   row["within"] = fmt::format("{:.2g}", expected.within);
   row["found"] = to_margin(figure.found, expected.within);

@@ -39,5 +39,27 @@ TEST(EnergyFigure, ShowsTheDriftOfAMotion) {
   EXPECT_NE(figure.alt.find("drifts by at most 1 J"), std::string::npos) << figure.alt;
 }
 
+TEST(EnergyFigure, ShowsADriftOfRoundOffAsNothing) {
+  plumb::Run run = run_with("a");
+  run.trajectory.energies.assign(run.trajectory.times.size(), {.kinetic = 1});
+  run.trajectory.energies.back().kinetic = 1 + 2e-15;
+  const Figure figure = energy_figure(run).value();
+  const Panel& drift = figure.plot.panels.at(1);
+  const double bound = run.trajectory.energy_round_off();
+  EXPECT_GT(bound, 2e-15);
+  EXPECT_LT(bound, 1e-12);
+  ASSERT_TRUE(drift.y.range.has_value());
+  EXPECT_GT(drift.y.range->at(1), 2 * bound) << "the drift fills less than half of what is shown";
+  ASSERT_EQ(drift.rules.size(), 1U);
+  EXPECT_EQ(drift.rules[0].label, "below round-off");
+  EXPECT_NE(drift_in_words(run.trajectory).find("no more than rounding makes"), std::string::npos)
+      << drift_in_words(run.trajectory);
+
+  run.trajectory.energies.back().kinetic = 1 + 3 * bound;
+  EXPECT_FALSE(energy_figure(run)->plot.panels.at(1).y.range.has_value())
+      << "a drift that is one is drawn as one";
+  EXPECT_EQ(drift_in_words(run.trajectory).find("rounding"), std::string::npos);
+}
+
 }  // namespace energy_figure_test
 }  // namespace plumb

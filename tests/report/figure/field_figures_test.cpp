@@ -144,6 +144,14 @@ TEST(UnitMarkup, WritesWhatIsBelowASlashAsANegativePower) {
 }
 
 TEST(NumberMarkup, HasAPowerOfTenWhereANumberIsSmallOrLarge) {
+  EXPECT_EQ(unit_markup("kg/m³"), "kg m^{-3}");
+  EXPECT_EQ(unit_text("m/s²"), "m s⁻²");
+  EXPECT_EQ(unit_text("1/m"), "m⁻¹");
+  EXPECT_EQ(unit_text("N m"), "N m");
+  EXPECT_EQ(unit_text("m/s/s"), "m/s/s") << "what is not understood stays";
+  EXPECT_EQ(unit_after("1"), "");
+  EXPECT_EQ(unit_after("rad/s"), " rad s⁻¹");
+  EXPECT_EQ(plain_text("10^{-12} κ_{max} ω_{10} of mid_y"), "10⁻¹² κmax ω₁₀ of mid_y");
   EXPECT_EQ(number_markup(0.031), "0.031");
   EXPECT_EQ(number_markup(3.1e-12), "3.1·10^{-12}");
   EXPECT_EQ(number_markup(0), "0");

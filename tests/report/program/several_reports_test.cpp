@@ -66,6 +66,29 @@ TEST_F(SeveralReports, FailureIsFirstInTheIndex) {
   EXPECT_NE(index.at("headline").get<std::string>().find("z"), std::string::npos);
 }
 
+TEST_F(SeveralReports, TwoStandBesideOneAnotherAndMoreDoNot) {
+  plumb({"run", "one.toml", "-o", "a"});
+  plumb({"run", "two.toml", "-o", "b", "--set", "time.output_interval=0.07", "--set", "cable.density=1100"});
+  const Ended ended = plumb({"report", "a", "b", "-o", "."});
+  EXPECT_LE(ended.status, 1) << ended.err;
+  const Json index = results("results.json");
+  const Json& beside = index.at("beside");
+  EXPECT_EQ(beside.at("first"), "a");
+  EXPECT_EQ(beside.at("second"), "b");
+  EXPECT_FALSE(beside.at("verdicts").empty());
+  EXPECT_FALSE(beside.at("probes").empty());
+  for (const Json& probe : beside.at("probes")) EXPECT_EQ(probe.at("interpolated"), true) << probe;
+  EXPECT_NE(beside.at("case").dump().find("density"), std::string::npos) << beside.at("case");
+  EXPECT_NE(ended.out.find(beside.at("headline").get<std::string>()), std::string::npos) << ended.out;
+  const std::string page = read_text(folder_ / "index.html");
+  EXPECT_NE(page.find("id=\"beside\""), std::string::npos);
+  EXPECT_NE(page.find("class=\"pair\""), std::string::npos) << "their pictures";
+  EXPECT_LT(page.size(), 5'000'000U);
+  const Ended three = plumb({"report", "a", "b", "a", "-o", "."});
+  EXPECT_LE(three.status, 1) << three.err;
+  EXPECT_FALSE(results("results.json").contains("beside"));
+}
+
 TEST_F(SeveralReports, ARunWithoutAReportIsNotTakenForAnEarlierOne) {
   plumb({"run", "one.toml", "two.toml", "-o", "all"});
   ASSERT_TRUE(fs::exists(folder_ / "all/one/results.json"));
