@@ -25,7 +25,7 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   stages.begin("figures");
   DrawingTools tools;
   draw_figures(study.figures_beside(), tools, study.title(), folder);
-  const std::vector<Picture> pictures = draw_figures(study.figures(), tools, study.title(), folder);
+  const std::vector<Picture> pictures = draw_for_page(study.figures(), tools, study.title(), folder);
   stages.end();
   const StudyReport report = study.report(stages);
   stages.begin("report");
@@ -37,6 +37,7 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   for (const Finding& finding : study.findings()) say(finding, console);
   if (study.says_verdicts()) say_verdicts(report.verdicts, console);
   console.line(report.headline);
+  if (!report.counts.empty()) console.line(report.counts);
   say_stages(stages, console);
   console.line("report: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(content.document, false));
