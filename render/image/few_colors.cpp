@@ -79,8 +79,7 @@ FewColors in_few_colors(const Image& image) {
   std::vector<std::uint8_t> places(1U << 12U);
   for (const Group& group : groups) places[group.key] = nearest(result.colors, group.color);
   result.pixels.reserve(pixels);
-  for (std::size_t k = 0; k < pixels; ++k)
-    result.pixels.push_back(places[group_of(color_at(image, k))]);
+  for (std::size_t k = 0; k < pixels; ++k) result.pixels.push_back(places[group_of(color_at(image, k))]);
   return result;
 }
 

@@ -24,7 +24,8 @@ enum class PngEffort {
 };
 
 /// The bytes of a PNG file, 8 bits a channel, RGB or, of a picture with opacities, RGBA, or with a
-/// palette (few_colors.h); the same for the same picture, texts and effort. Throws OutputError when the picture is empty or libpng refuses it.
+/// palette (few_colors.h); the same for the same picture, texts and effort. Throws OutputError when the
+/// picture is empty or libpng refuses it.
 std::string encode_png(const Image& image, const PngTexts& texts = {}, PngEffort effort = PngEffort::small);
 
 /// The still picture in the bytes of a PNG file of any kind, with 8 bits a channel and its opacities, in the

@@ -69,8 +69,7 @@ std::vector<Picture> drawn(const std::vector<Figure>& figures, DrawingTools& too
   for (const Figure& figure : figures) {
     stop_if_interrupted();
     const auto encode = [image = std::make_shared<const Image>(tools.plots.draw(figure.plot)), &texts,
-                         effort] { return encode_png(*image, texts, effort);
-    };
+                         effort] { return encode_png(*image, texts, effort); };
     // Where no thread is to be had the picture is encoded once it is asked for.
     encoding.push_back(std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();

@@ -37,7 +37,8 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   for (const Finding& finding : study.findings()) say(finding, console);
   if (study.says_verdicts()) say_verdicts(report.verdicts, console);
   console.line(report.headline);
-  if (!report.counts.empty()) console.line(report.counts);
+  for (const std::string* more : {&report.details, &report.counts})
+    if (!more->empty()) console.line(*more);
   say_stages(stages, console);
   console.line("report: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(content.document, false));

@@ -20,8 +20,12 @@ std::string lines_within(const std::string& text, std::size_t room) {
   return text.size() <= room ? text : text.substr(0, room == 0 ? 0 : text.rfind('\n', room - 1) + 1);
 }
 
+/// What it concludes, and what that rests on.
 std::string in_short(const StudyReport& report) {
-  return report.headline + (report.counts.empty() ? "" : " ") + report.counts;
+  std::string text = report.headline;
+  for (const std::string* more : {&report.details, &report.counts})
+    if (!more->empty()) text += " " + *more;
+  return text;
 }
 
 Document document_of(const StudyReport& report) {
@@ -44,7 +48,8 @@ std::string summary_of(const StudyReport& report) {
   constexpr std::size_t most = 63 * 1024;
   std::string head = fmt::format("# {}: {}\n\n{}\n\n", escape_markdown(report.loaded.spec.title),
                                  escape_markdown(report.subject), escape_markdown(report.headline));
-  if (!report.counts.empty()) head += escape_markdown(report.counts) + "\n\n";
+  for (const std::string* more : {&report.details, &report.counts})
+    if (!more->empty()) head += escape_markdown(*more) + "\n\n";
   // The verdicts, of bounded length themselves, go first where there is no room for all.
   const std::string verdicts = verdict_table(report.verdicts);
   const auto room = [&](std::size_t taken) { return most - std::min(most, taken); };
@@ -66,6 +71,8 @@ std::string to_page(const StudyReport& report, const StudySection& section) {
   page["title"] = report.loaded.spec.title;
   page["subject"] = report.subject;
   page["headline"] = report.headline;
+  page["details"] = report.details;
+  page["has_details"] = !report.details.empty();
   page["counts"] = report.counts;
   page["has_counts"] = !report.counts.empty();
   page["good"] = report.complete && all_passed(report.verdicts);

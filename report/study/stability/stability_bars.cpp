@@ -11,6 +11,7 @@
 #include "report/base/escape.h"
 #include "report/figure/curve_style.h"
 #include "report/figure/outcome_style.h"
+#include "report/study/method_label.h"
 #include "report/study/stability/map_panel.h"
 #include "report/study/stability/stability_conclusion.h"
 #include "report/study/stability/stability_results.h"
@@ -84,9 +85,8 @@ std::string scale_of(const BarAxis& axis, bool by_step) {
         R"(<text x="{:.2f}%" y="14" text-anchor="{}">10<tspan dy="-5" font-size="10">{}{}</tspan></text>)", x,
         anchor, k < 0 ? "−" : "", std::abs(k));
   }
-  return fmt::format(
-      R"(<li class="scale" aria-hidden="true"><span>{}</span><svg height="18">{}</svg></li>)",
-      by_step ? "step [s]" : "rtol", svg);
+  return fmt::format(R"(<li class="scale" aria-hidden="true"><span>{}</span><svg height="18">{}</svg></li>)",
+                     by_step ? "step [s]" : "rtol", svg);
 }
 
 /// Neighbours of one outcome are one part of a bar.
@@ -105,8 +105,8 @@ std::string parts_of(const BarAxis& axis, const MethodReach& reach) {
                        css(style.color));
     constexpr double room_for_letter = 4;
     if (!style.letter.empty() && width >= room_for_letter)
-      svg += fmt::format(R"(<text x="{:.2f}%" y="14" text-anchor="middle" fill="{}">{}</text>)", x + width / 2,
-                         css(ink_on(style.color)), style.letter);
+      svg += fmt::format(R"(<text x="{:.2f}%" y="14" text-anchor="middle" fill="{}">{}</text>)",
+                         x + width / 2, css(ink_on(style.color)), style.letter);
   }
   return svg;
 }
@@ -153,8 +153,9 @@ std::string list_of(const Stability& study, ToldPlace place, bool by_step) {
     html += fmt::format(
         R"(<li><span class="bar-label">{}</span><svg height="20" role="img" aria-label="{}">{}{}{}</svg><span class="bar-reach">{}</span></li>)"
         "\n",
-        escape_xml(reach.map->label), escape_xml(step_in_words(*reach.map, reach.at)), grid_of(axis),
-        parts_of(axis, reach), marks_of(study, axis, reach, place), reach_text(reach, by_step));
+        escape_xml(label_in_sentence(reach.map->label)), escape_xml(step_in_words(*reach.map, reach.at)),
+        grid_of(axis), parts_of(axis, reach), marks_of(study, axis, reach, place),
+        reach_text(reach, by_step));
   return html + "</ul>\n";
 }
 
@@ -185,7 +186,8 @@ std::string stability_bars_css(const Stability& study) {
   if (count < 2) return "";
   std::string css = ".bars > div { display: none; }\n";
   for (std::size_t k = 1; k <= count; ++k)
-    css += fmt::format(".bars > input:nth-of-type({0}):checked ~ div:nth-of-type({0}) {{ display: block; }}\n", k);
+    css += fmt::format(
+        ".bars > input:nth-of-type({0}):checked ~ div:nth-of-type({0}) {{ display: block; }}\n", k);
   return css;
 }
 

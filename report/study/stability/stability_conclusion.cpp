@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/study/stability/step_in_words.h"
+#include "report/study/method_label.h"
 #include "report/study/stability/stability_results.h"
 #include "report/verdict/results.h"
 
@@ -33,8 +34,8 @@ bool has_place(const OutcomeMap& map, ToldPlace place) {
 MethodReach reach_of(const OutcomeMap& map, double value) {
   MethodReach reach;
   reach.map = &map;
-  reach.at = static_cast<std::size_t>(std::find(map.values.begin(), map.values.end(), value) -
-                                      map.values.begin());
+  reach.at =
+      static_cast<std::size_t>(std::find(map.values.begin(), map.values.end(), value) - map.values.begin());
   const SettingStretch accurate = accurate_stretch(map, reach.at), stable = stable_stretch(map, reach.at);
   if (!accurate.empty()) reach.accurate = map.settings[accurate.to - 1];
   if (!stable.empty()) reach.stable = map.settings[stable.to - 1];
@@ -52,7 +53,8 @@ std::string with_unit(double setting, bool by_step) {
   return by_step ? setting_text(setting) + " s" : setting_text(setting);
 }
 
-/// The methods that are first in the order of reaches_at(), as far as they are alike.
+/// The methods that are first in the order of reaches_at(), as far as they are alike; `greatest`: what they
+/// bear is the greatest that was tried.
 std::string best_in_words(const std::vector<MethodReach>& reaches, bool by_step, double tolerance) {
   const MethodReach& best = reaches.front();
   const std::string what = by_step ? "step" : "tolerance";
@@ -60,13 +62,17 @@ std::string best_in_words(const std::vector<MethodReach>& reaches, bool by_step,
     return fmt::format("no method is accurate to {:g} m with any {} that was tried", tolerance, what);
   std::vector<std::string> names;
   for (const MethodReach& reach : reaches)
-    if (reach.accurate == best.accurate) names.push_back(reach.map->label);
-  if (names.size() == reaches.size() && names.size() > 1)
-    return fmt::format("all {} methods stay accurate to {:g} m up to {} {}", names.size(), tolerance,
-                       by_step ? "a step of" : "rtol", with_unit(best.accurate, by_step));
-  return fmt::format("{} {} the greatest {} and {} accurate to {:g} m: {}", some_of(names),
-                     names.size() > 1 ? "bear" : "bears", what, names.size() > 1 ? "stay" : "stays", tolerance,
-                     with_unit(best.accurate, by_step));
+    if (reach.accurate == best.accurate) names.push_back(label_in_sentence(reach.map->label));
+  const bool greatest = best.accurate == best.map->settings.back();
+  const std::string reach =
+      fmt::format("accurate to {:g} m up to {} {}{}", tolerance, by_step ? "a step of" : "rtol",
+                  with_unit(best.accurate, by_step), greatest ? ", the greatest that was tried" : "");
+  if (reaches.size() == 1) return fmt::format("{}, the only method, stays {}", names.front(), reach);
+  if (names.size() == reaches.size()) return fmt::format("all {} methods stay {}", names.size(), reach);
+  if (names.size() == 1)
+    return fmt::format("{} bears the greatest {} of {} methods and stays {}", names.front(), what,
+                       reaches.size(), reach);
+  return fmt::format("{} of {} methods stay {}: {}", names.size(), reaches.size(), reach, some_of(names));
 }
 
 std::string failures_in_words(std::vector<MethodReach> reaches) {
@@ -74,15 +80,20 @@ std::string failures_in_words(std::vector<MethodReach> reaches) {
   std::erase_if(reaches, [](const MethodReach& reach) {
     return reach.fails < 0 || reach.beyond == Outcome::out_of_time;
   });
-  if (reaches.empty()) return "None fails at any step that was tried.";
+  if (reaches.empty())
+    return fmt::format("{} at no step that was tried.", count == 1 ? "It fails" : "They fail");
   std::stable_sort(reaches.begin(), reaches.end(),
                    [](const MethodReach& a, const MethodReach& b) { return a.fails < b.fails; });
   std::vector<std::string> names;
   for (const MethodReach& reach : reaches)
-    names.push_back(fmt::format("{} at {} s ({})", reach.map->label, setting_text(reach.fails),
-                                word(reach.beyond)));
-  return fmt::format("{} of {} fail within the steps tried, the first {}.", reaches.size(),
-                     counted(count, "method", "methods"), some_of(names));
+    names.push_back(fmt::format("{} at {} s ({})", label_in_sentence(reach.map->label),
+                                setting_text(reach.fails), word(reach.beyond)));
+  if (count == 1)
+    return fmt::format("It fails at {} s ({}).", setting_text(reaches.front().fails),
+                       word(reaches.front().beyond));
+  return fmt::format("{} of {} methods {} within the steps tried, {}{}.", reaches.size(), count,
+                     reaches.size() == 1 ? "fails" : "fail", reaches.size() == 1 ? "" : "the first ",
+                     some_of(names));
 }
 
 std::string limits_in_words(const Stability& study) {
@@ -127,28 +138,31 @@ std::vector<MethodReach> reaches_at(const Stability& study, ToldPlace place, boo
   return reaches;
 }
 
-std::string conclusion_in_words(const Stability& study) {
+StabilityConclusion conclude(const Stability& study) {
   const ToldPlace place = own_place(study);
   const std::vector<MethodReach> steps = reaches_at(study, place, true),
                                  tolerances = reaches_at(study, place, false);
-  if (steps.empty() && tolerances.empty()) return "No run was made, so nothing can be said of any method.";
-  const std::string where = fmt::format("At {}, {}", value_text(study, place.axis, place.value),
-                                        place_in_words(study, place.axis));
-  std::string text;
-  if (!steps.empty())
-    text = fmt::format("{}: {}. {}", where, best_in_words(steps, true, study.tolerance),
-                       failures_in_words(steps));
-  text += limits_in_words(study);
+  if (steps.empty() && tolerances.empty())
+    return {"No run was made, so nothing can be said of any method.", ""};
+  const std::string where =
+      fmt::format("At {}, {}", value_text(study, place.axis, place.value), place_in_words(study, place.axis));
+  StabilityConclusion conclusion;
+  conclusion.sentence = fmt::format("{}: {}.", where,
+                                    steps.empty() ? best_in_words(tolerances, false, study.tolerance)
+                                                  : best_in_words(steps, true, study.tolerance));
+  if (steps.empty()) return conclusion;
+  conclusion.details = failures_in_words(steps) + limits_in_words(study);
   if (!tolerances.empty())
-    text += fmt::format("{} {}.", text.empty() ? where + ", of" : " Of", "the methods that choose their steps, " +
-                        best_in_words(tolerances, false, study.tolerance));
-  return text;
+    conclusion.details += fmt::format(" Of those that choose their steps, {}.",
+                                      best_in_words(tolerances, false, study.tolerance));
+  return conclusion;
 }
 
 nlohmann::ordered_json stability_conclusion_json(const Stability& study) {
   using Json = nlohmann::ordered_json;
   const ToldPlace place = own_place(study);
-  Json json{{"in_words", conclusion_in_words(study)},
+  const StabilityConclusion conclusion = conclude(study);
+  Json json{{"in_words", conclusion.sentence + (conclusion.details.empty() ? "" : " ") + conclusion.details},
             {"axis", word(place.axis)},
             {"value", place.value},
             {"methods", Json::array()}};

@@ -11,10 +11,10 @@ namespace plumb {
 /// How far a method goes at one value of a map.
 struct MethodReach {
   const OutcomeMap* map = nullptr;
-  std::size_t at = 0;    ///< place of the value in the map
-  double accurate = -1;  ///< greatest setting of its accurate stretch; -1: none
-  double stable = -1;    ///< greatest setting of its stable stretch; -1: none
-  double fails = -1;     ///< the next setting above that; -1: none was tried
+  std::size_t at = 0;                 ///< place of the value in the map
+  double accurate = -1;               ///< greatest setting of its accurate stretch; -1: none
+  double stable = -1;                 ///< greatest setting of its stable stretch; -1: none
+  double fails = -1;                  ///< the next setting above that; -1: none was tried
   Outcome beyond = Outcome::not_run;  ///< how the run with that ended
 };
 
@@ -31,9 +31,15 @@ ToldPlace own_place(const Stability& study);
 /// greatest setting accurately first, and of those that are alike what stays stable longest.
 std::vector<MethodReach> reaches_at(const Stability& study, ToldPlace place, bool by_step);
 
-/// Which method bears the greatest step and stays accurate, which fail first, and how far the critical steps
-/// found are from the predicted ones.
-std::string conclusion_in_words(const Stability& study);
+/// What a reader who has ten seconds needs of a study.
+struct StabilityConclusion {
+  std::string sentence;  ///< which methods bear the greatest step and stay accurate
+  /// Which fail first, how far the critical steps found are from the predicted ones, and which tolerance
+  /// methods that choose their steps bear; may be empty.
+  std::string details;
+};
+
+StabilityConclusion conclude(const Stability& study);
 
 /// The `conclusion` of results.json. Keys as in output/README.md.
 nlohmann::ordered_json stability_conclusion_json(const Stability& study);

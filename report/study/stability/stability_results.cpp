@@ -123,9 +123,11 @@ StudyReport evaluate_stability(const StabilityStudyFile& file, const Stages& sta
   long points = 0;
   for (const OutcomeMap& map : study.maps) points += std::ssize(map.points);
   const std::string maps = counted(std::ssize(study.maps), "map", "maps");
-  report.headline = conclusion_in_words(study);
+  const StabilityConclusion conclusion = conclude(study);
+  report.headline = conclusion.sentence;
+  report.details = conclusion.details;
   report.counts = fmt::format("{} in {}: {}. {}", counted(points, "point", "points"), maps,
-                                outcomes_in_words(study), met_in_words(report.verdicts));
+                              outcomes_in_words(study), met_in_words(report.verdicts));
   report.results["stability"] = stability_to_json(study);
   report.results["stability"]["conclusion"] = stability_conclusion_json(study);
   const bool run = any_run(study);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/study/method_label.h"
 #include "report/study/work_precision/compared_lines.h"
 #include "report/verdict/results.h"
 
@@ -112,7 +113,7 @@ std::string label_of(const WorkPrecision& study, std::size_t run) {
 
 /// "the cheapest, rk4", "rk4, the only method,": who is named.
 std::string who(const WorkPrecision& study, std::size_t run, int elements, const char* best) {
-  const std::string label = label_of(study, run);
+  const std::string label = label_in_sentence(label_of(study, run));
   return labels_on(study, elements) > 1 ? fmt::format("the {}, {},", best, label)
                                         : label + ", the only method,";
 }
@@ -125,6 +126,11 @@ std::string at_most(const WorkPrecisionRun& run) {
 
 std::string cost_of(const WorkPrecision& study, std::size_t run) {
   return study.work_in_words(study.work(study.runs[run]));
+}
+
+/// "1e-3"
+std::string power_of_ten(double error) {
+  return fmt::format("1e{}", std::lround(std::log10(error)));
 }
 
 std::string elements_in_words(int elements) {
@@ -145,24 +151,23 @@ std::string nothing_good(const WorkPrecision& study) {
     if (fate_of(study, study.runs[k], question) == RunFate::failed) continue;
     if (!nearest || error(k) < error(*nearest)) nearest = k;
   }
-  if (!nearest)
-    return "No run that completed could be held against a reference, so no method can be named.";
+  if (!nearest) return "No run that completed could be held against a reference, so no method can be named.";
   return fmt::format(
-      "No run comes within {:.3g} m of the exact motion, {:g} % of the length, so no method can be named; the "
+      "No run comes within {:.3g} m of the exact motion, {:g} % of the length, so no method can be named; "
+      "the "
       "nearest, {} with {}, is {:.3g} m off.",
-      wrong_beyond * study.length, 100 * wrong_beyond, label_of(study, *nearest),
+      wrong_beyond * study.length, 100 * wrong_beyond, label_in_sentence(label_of(study, *nearest)),
       study.runs[*nearest].setting(), errors_of(study.runs[*nearest], question).tip_max);
 }
 
 std::string about_own_mesh(const WorkPrecision& study, const MeshAdvice& own) {
   const std::string mesh = fmt::format("On the {} of the case", elements_in_words(own.elements));
   if (own.run)
-    return fmt::format(
-        "{} {} needs {} and {}: the mesh itself is {:.2g} m off, and a finer step gains nothing.", mesh,
-        who(study, *own.run, own.elements, "cheapest"), at_most(study.runs[*own.run]), cost_of(study, *own.run),
-        own.error);
-  const auto nearest = least(study, own.elements,
-                             [](const WorkPrecisionRun& run) { return run.time_error.tip_max; });
+    return fmt::format("{} {} needs {}, {}: the mesh itself is {:.2g} m off, and a finer step gains nothing.",
+                       mesh, who(study, *own.run, own.elements, "cheapest"), at_most(study.runs[*own.run]),
+                       cost_of(study, *own.run), own.error);
+  const auto nearest =
+      least(study, own.elements, [](const WorkPrecisionRun& run) { return run.time_error.tip_max; });
   if (!nearest) return fmt::format("{} no run is near enough to the exact motion to be named.", mesh);
   const double floor = floor_of(study, own.elements);
   const double error = std::max(study.runs[*nearest].time_error.tip_max, floor);
@@ -175,8 +180,8 @@ std::string about_own_mesh(const WorkPrecision& study, const MeshAdvice& own) {
   // The finest decade that is reached, where what the mesh errs is not known.
   if (!study.time_cheapest.empty()) {
     const CheapestRun& way = study.time_cheapest.back();
-    return fmt::format("{} {} integrates time to {:.0e} m with {} in {}; how far off the mesh is, is not known.",
-                       mesh, who(study, way.run, own.elements, "cheapest"), way.error,
+    return fmt::format("{} {} integrates time to {} m with {} in {}; how far off the mesh is, is not known.",
+                       mesh, who(study, way.run, own.elements, "cheapest"), power_of_ten(way.error),
                        at_most(study.runs[way.run]), cost_of(study, way.run));
   }
   return fmt::format("{} {} with {} is {:.2g} m off in {}; how far off the mesh is, is not known.", mesh,
@@ -184,16 +189,20 @@ std::string about_own_mesh(const WorkPrecision& study, const MeshAdvice& own) {
                      cost_of(study, *nearest));
 }
 
-std::string about_the_continuum(const WorkPrecision& study) {
+std::string about_the_continuum(const WorkPrecision& study, std::optional<std::size_t> told) {
   if (study.total_cheapest.empty())
     return any_compared(study, StudyQuestion::total)
-               ? fmt::format("No mesh comes within {:.2g} m of the continuum.", wrong_beyond * study.length)
+               ? fmt::format("No run comes within {:.2g} m of the continuum.", wrong_beyond * study.length)
                : "How far all is from the continuum is not known.";
   const CheapestRun& way = study.total_cheapest.back();
-  return fmt::format("Within {:.0e} m of the continuum, the nearest {} reached, {} takes {}, {} and {}.",
-                     way.error, study.total_cheapest.size() > 1 ? "power of ten" : "that is",
-                     who(study, way.run, 0, "cheapest"), elements_in_words(study.runs[way.run].elements),
-                     at_most(study.runs[way.run]), cost_of(study, way.run));
+  const std::string reached = power_of_ten(way.error);
+  if (way.run == told)
+    return fmt::format("That is within {} m of the continuum; no run comes within a tenth of that.", reached);
+  return fmt::format(
+      "Within {} m of the continuum, and no run comes within a tenth of that, {} takes {}, {} "
+      "and {}.",
+      reached, who(study, way.run, 0, "cheapest"), elements_in_words(study.runs[way.run].elements),
+      at_most(study.runs[way.run]), cost_of(study, way.run));
 }
 
 std::string about_failures(const WorkPrecision& study, const std::vector<FailingCurve>& failing) {
@@ -206,13 +215,13 @@ std::string about_failures(const WorkPrecision& study, const std::vector<Failing
     }
     const WorkPrecisionRun& run = study.runs[one.run];
     const bool step = run.method.step.has_value();
-    named.push_back(fmt::format(
-        "{} {} ({})", study.curves[one.curve].label,
-        one.everywhere ? std::string(step ? "at every step" : "at every tolerance")
-                       : fmt::format("from {}{:.3g}{}", step ? "" : "rtol ", setting_of(run), step ? " s" : ""),
-        how_it_fails(run)));
+    named.push_back(fmt::format("{} {} ({})", label_in_sentence(study.curves[one.curve].label),
+                                one.everywhere ? std::string(step ? "at every step" : "at every tolerance")
+                                               : fmt::format("from {}{:.3g}{}", step ? "" : "rtol ",
+                                                             setting_of(run), step ? " s" : ""),
+                                how_it_fails(run)));
   }
-  return fmt::format(" Too coarse a setting fails: {}.", listed(named));
+  return fmt::format("Too coarse a setting fails: {}.", listed(named));
 }
 
 }  // namespace
@@ -236,16 +245,18 @@ WorkPrecisionConclusion conclude(const WorkPrecision& study) {
   const auto own = std::find_if(all.meshes.begin(), all.meshes.end(), [&](const MeshAdvice& advice) {
     return advice.elements == study.fixed_elements;
   });
-  if (own != all.meshes.end())
-    all.sentence = about_own_mesh(study, *own) + about_failures(study, all.failing) + " ";
-  all.sentence += about_the_continuum(study);
+  const std::string failures = about_failures(study, all.failing);
+  const bool has_own = own != all.meshes.end();
+  all.sentence = has_own ? about_own_mesh(study, *own) : about_the_continuum(study, {});
+  if (has_own) all.details = about_the_continuum(study, own->run);
+  if (!failures.empty()) all.details += (all.details.empty() ? "" : " ") + failures;
   return all;
 }
 
 nlohmann::ordered_json conclusion_json(const WorkPrecision& study) {
   using Json = nlohmann::ordered_json;
   const WorkPrecisionConclusion all = conclude(study);
-  Json json{{"in_words", all.sentence},
+  Json json{{"in_words", all.sentence + (all.details.empty() ? "" : " ") + all.details},
             {"of_time_alone", all.of_time_alone},
             {"ways", Json::array()},
             {"meshes", Json::array()},

@@ -24,20 +24,21 @@ struct MeshAdvice {
 
 /// A curve on the mesh of the case whose coarse runs fail.
 struct FailingCurve {
-  std::size_t curve = 0;   ///< index into WorkPrecision::curves
-  std::size_t run = 0;     ///< the finest of those runs, index into WorkPrecision::runs
+  std::size_t curve = 0;    ///< index into WorkPrecision::curves
+  std::size_t run = 0;      ///< the finest of those runs, index into WorkPrecision::runs
   bool everywhere = false;  ///< no run of the curve does better
 };
 
 /// What a reader who has ten seconds needs of a study.
 struct WorkPrecisionConclusion {
-  /// Which method, with which setting, at what cost; where the mesh takes over; which methods fail where.
+  /// On the mesh of the case, which method, with which setting, at what cost, and where the mesh takes over.
   std::string sentence;
+  std::string details;  ///< how to come nearer to the continuum, and which methods fail where; may be empty
   /// Cheapest runs against the continuum, or, where that is not known, of time integration on the mesh of
   /// the case: each run once, with the smallest error that it stays below, at most five.
   std::vector<CheapestRun> ways;
-  bool of_time_alone = false;       ///< `ways` is of time integration
-  std::vector<MeshAdvice> meshes;   ///< from the coarsest
+  bool of_time_alone = false;         ///< `ways` is of time integration
+  std::vector<MeshAdvice> meshes;     ///< from the coarsest
   std::vector<FailingCurve> failing;  ///< those that fail at the smallest step first
 };
 

@@ -300,7 +300,7 @@ void set_conclusion(data& values, const WorkPrecision& study) {
   data ways{data::type::list}, meshes{data::type::list}, failing{data::type::list};
   for (const CheapestRun& way : conclusion.ways) {
     data row = row_of(way.run);
-    row["within"] = fmt::format("{:.0e} m", way.error);
+    row["within"] = fmt::format("1e{} m", std::lround(std::log10(way.error)));
     ways.push_back(row);
   }
   bool known = false;
@@ -376,7 +376,9 @@ PageSection work_precision_on_page() {
           .html =
               [](const Document& json, const std::vector<Picture>& pictures) {
                 const WorkPrecision study = work_precision_from_json(json);
-                return fmt::format("<p class=\"sentence\">{}</p>\n", escape_xml(conclude(study).sentence)) +
+                const WorkPrecisionConclusion conclusion = conclude(study);
+                return fmt::format("<p><span class=\"sentence\">{}</span> {}</p>\n",
+                                   escape_xml(conclusion.sentence), escape_xml(conclusion.details)) +
                        study_html(study, pictures);
               },
           .figures_key = study_figures_key,
@@ -403,7 +405,8 @@ std::string mesh_clause(const Document& document) {
 
 StudySection shown_work_precision(const WorkPrecision& study, const std::vector<Picture>& pictures) {
   StudySection section;
-  section.links = {{"study-choice", "What to choose"}, {"study-time", "Time integration"}, {"study-total", "Total error"}};
+  section.links = {
+      {"study-choice", "What to choose"}, {"study-time", "Time integration"}, {"study-total", "Total error"}};
   if (!study_lines(study, StudyQuestion::time).empty()) section.links.emplace_back("study-orders", "Orders");
   if (study.mesh) section.links.emplace_back("study-mesh", "Mesh");
   section.links.emplace_back("study-failures", "Failures");

@@ -134,7 +134,9 @@ StudyReport evaluate_study(const Study& study, const Stages& stages) {
                                 [](const WorkPrecisionRun& run) { return run.completed(); });
   const std::string runs = counted(std::ssize(result.runs), "run", "runs");
   const std::string failures = failures_in_words(result);
-  report.headline = conclude(result).sentence;
+  const WorkPrecisionConclusion conclusion = conclude(result);
+  report.headline = conclusion.sentence;
+  report.details = conclusion.details;
   report.counts =
       fmt::format("{} of {} on {}{}{}. {}", runs, counted(std::ssize(result.curves), "curve", "curves"),
                   counted(std::ssize(result.mesh_references), "mesh", "meshes"), failures.empty() ? "" : ": ",
