@@ -1,5 +1,6 @@
 #include "report/document/case_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/case/case_codec.h"
@@ -93,6 +94,7 @@ Json verdict_json(const Verdict& verdict) {
             {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
             {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
             {"reason", verdict.reason}};
+  if (verdict.time >= 0 && std::isfinite(verdict.time)) json["time"] = verdict.time;
   if (verdict.coverage) json["coverage"] = coverage_json(*verdict.coverage);
   return json;
 }

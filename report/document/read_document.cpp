@@ -143,6 +143,7 @@ std::vector<Verdict> verdicts_of(const Document& document) {
     verdict.detail = text("detail");
     verdict.message = text("message");
     verdict.reason = text("reason");
+    verdict.time = item.value("time", -1.0);
     if (item.contains("coverage")) verdict.coverage = read_coverage(item.at("coverage"));
     verdicts.push_back(std::move(verdict));
   }

@@ -41,6 +41,7 @@ Verdict move_verdict(const ProbeMove& move, double share) {
   // A column that was 0 throughout has no scale but its own unit.
   verdict.value = move.largest > 0 ? move.greatest / move.largest : move.greatest;
   verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
+  verdict.time = move.time;
   if (move.greatest == 0)
     verdict.detail = "the same to the last digit";
   else if (std::isnan(move.greatest))
@@ -83,7 +84,7 @@ Verdict move_verdict(const ProbeMove& move, double share, const Document& before
   const std::string other = fmt::format("made with another {}", what_rounds);
   if (worst == -1) {
     verdict.status = VerdictStatus::not_run;
-    verdict.value = -1;
+    verdict.value = verdict.time = -1;
     verdict.detail = verdict.message = "not comparable here: the baseline was " + other;
     return verdict;
   }

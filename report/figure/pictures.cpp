@@ -50,8 +50,10 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
   return {{"Software", "Plumb"}, {"Title", title}, {renderer_keyword, context.info().fingerprint()}};
 }
 
-std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTools& tools,
-                                   const std::string& title) {
+namespace {
+
+std::vector<Picture> drawn(const std::vector<Figure>& figures, DrawingTools& tools, const std::string& title,
+                           PngEffort effort) {
   const PngTexts texts = picture_texts(tools.context, title);
   // Each is encoded beside the drawing of the next.
   constexpr std::size_t waiting = 2;
@@ -66,9 +68,8 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTo
   };
   for (const Figure& figure : figures) {
     stop_if_interrupted();
-    const auto encode = [image = std::make_shared<const Image>(tools.plots.draw(figure.plot)), &texts] {
-      return encode_png(*image, texts);
-    };
+    const auto encode = [image = std::make_shared<const Image>(tools.plots.draw(figure.plot)), &texts,
+                         effort] { return encode_png(*image, texts, effort); };
     // Where no thread is to be had the picture is encoded once it is asked for.
     encoding.push_back(std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();
@@ -77,12 +78,40 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTo
   return pictures;
 }
 
+}  // namespace
+
+std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTools& tools,
+                                   const std::string& title) {
+  return drawn(figures, tools, title, PngEffort::small);
+}
+
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
                                   const std::string& title, OutputFolder& folder) {
   std::vector<Picture> pictures = drawn_figures(figures, tools, title);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     folder.write(pictures[i].file, pictures[i].png);
     folder.write(fmt::format("figures/{}.csv", figures[i].name), to_csv(figures[i].plot));
+  }
+  return pictures;
+}
+
+std::vector<Picture> draw_for_page(const std::vector<Figure>& figures, DrawingTools& tools,
+                                   const std::string& title, OutputFolder& folder) {
+  // With these a page of a study stays below 5 MB, as base64 makes four bytes of three.
+  constexpr std::size_t most_bytes = 2'800'000;
+  std::vector<Picture> pictures = draw_figures(figures, tools, title, folder);
+  std::size_t bytes = 0;
+  std::vector<Figure> dark = figures;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    dark[k].plot.theme = SceneTheme::dark;
+    pictures[k].page_png = encode_png(decode_png(pictures[k].png, pictures[k].file), {}, PngEffort::page);
+    bytes += pictures[k].page_png.size();
+  }
+  const std::vector<Picture> on_dark = drawn(dark, tools, title, PngEffort::page);
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    bytes += on_dark[k].png.size();
+    if (bytes > most_bytes) break;
+    pictures[k].dark_png = on_dark[k].png;
   }
   return pictures;
 }

@@ -26,6 +26,8 @@ struct Picture {
   std::string png;
   Plot plot = {};                      ///< what was drawn; of a picture read from a file, nothing
   std::vector<PanelTimes> times = {};  ///< as in Figure
+  std::string page_png = {};           ///< for a page, in few colours; empty: `png` itself
+  std::string dark_png = {};           ///< the same on dark paper; empty: there is none
 };
 
 /// The key in results.json of the figures of a run; those of its sections have keys that end likewise.
@@ -74,6 +76,11 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTo
 /// when drawing or writing fails, Interrupted when the user stops it.
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
                                   const std::string& title, OutputFolder& folder);
+
+/// Draws figures as draw_figures does, and for a page on light and on dark paper in few colours: those that
+/// there is room for have both.
+std::vector<Picture> draw_for_page(const std::vector<Figure>& figures, DrawingTools& tools,
+                                   const std::string& title, OutputFolder& folder);
 
 /// Called now and then with the share done, 0 to 1.
 using DrawingProgress = std::function<void(double)>;

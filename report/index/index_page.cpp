@@ -19,6 +19,7 @@
 #include "report/page/svg_chart.h"
 #include "report/page/verdict_groups.h"
 #include "report/page/verdict_html.h"
+#include "report/verdict/results.h"
 
 namespace plumb {
 
@@ -85,7 +86,7 @@ class Thumbnails {
   std::size_t used_ = 0;
 };
 
-data report_row(const Document& report, Thumbnails& thumbnails) {
+data report_row(const Document& report) {
   data row;
   set_report(row, report);
   row["method"] = text_of(report, "method");
@@ -96,8 +97,13 @@ data report_row(const Document& report, Thumbnails& thumbnails) {
   row["short"] = text_of(report, "outcome") + ": " + text_of(report, "outcome_reason");
   const double seconds = number_of(report.at("solve_seconds"));
   row["seconds"] = seconds >= 0 ? fmt::format("{:.3g} s", seconds) : "not run";
-  thumbnails.set(row, text_of(report, "folder"));
+  row["kind"] = text_of(report, "kind").empty() ? "–" : text_of(report, "kind");
   return row;
+}
+
+bool has_failed(const Document& report) {
+  const std::string state = text_of(report, "state");
+  return state == "failed" || state == "failed to run" || state == "not run";
 }
 
 std::string with_unit(double value, const std::string& unit) {
@@ -179,6 +185,67 @@ data count_rows(const Document& index) {
   if (unheld > 0)
     add(unheld, unheld == 1 ? "report not held against anything" : "reports not held against anything",
         "not-held-against-anything");
+  return rows;
+}
+
+/// What of a report that failed is to be read first: the criterion that is missed by most, by how much and
+/// where, or how the run ended.
+std::string what_failed(const Document& report) {
+  const Document* worst = nullptr;
+  double most = -1;
+  for (const Document& verdict : report.at("verdicts")) {
+    if (verdict.at("status") != "failed") continue;
+    const double share = number_of(verdict.at("value")) / number_of(verdict.at("limit"));
+    const double missed = std::isnan(share) ? std::numeric_limits<double>::infinity() : share;
+    if (worst != nullptr && missed <= most) continue;
+    worst = &verdict;
+    most = missed;
+  }
+  if (worst == nullptr || text_of(report, "state") == "failed to run")
+    return fmt::format("{}: {}", text_of(report, "outcome"), text_of(report, "outcome_reason"));
+  const std::string unit = text_of(*worst, "unit");
+  const double value = number_of(worst->at("value"));
+  std::string text =
+      fmt::format("{}: {} found, {} allowed", text_of(*worst, "name"),
+                  std::isfinite(value) ? with_unit(value, unit) : std::string("no finite number"),
+                  with_unit(number_of(worst->at("limit")), unit));
+  if (worst->contains("time")) text += fmt::format(", at {:.4g} s", number_of(worst->at("time")));
+  return text;
+}
+
+/// The reports that failed, and then the others by the kind of their evidence.
+data group_rows(const Document& index, Thumbnails& thumbnails) {
+  struct Group {
+    std::string kind, title, evidence;
+  };
+  std::vector<Group> groups{{"failed", "Failed first", "What is missed by most, or how the run ended."}};
+  for (const KindText& text : kind_texts)
+    groups.push_back({std::string(word(text.kind)), text.title, text.evidence});
+  groups.push_back({"", "Not held against anything", ""});
+  data rows{data::type::list};
+  for (const Group& group : groups) {
+    const bool of_failed = group.kind == "failed";
+    data reports{data::type::list};
+    long count = 0;
+    for (const Document& report : index.at("reports")) {
+      if (has_failed(report) != of_failed || (!of_failed && report.at("kind") != group.kind)) continue;
+      data row;
+      set_report(row, report);
+      row["what"] = of_failed ? what_failed(report) : std::string();
+      row["has_what"] = of_failed;
+      thumbnails.set(row, text_of(report, "folder"));
+      reports.push_back(row);
+      ++count;
+    }
+    if (count == 0) continue;
+    data row;
+    row["title"] = group.title;
+    row["evidence"] = group.evidence;
+    row["count"] = counted(count, "report", "reports");
+    row["wide"] = of_failed;
+    row.set("reports", reports);
+    rows.push_back(row);
+  }
   return rows;
 }
 
@@ -350,13 +417,14 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   page.set("counts", count_rows(index));
   Thumbnails thumbnails(all);
   for (const Document& report : list) {
-    reports.push_back(report_row(report, thumbnails));
+    reports.push_back(report_row(report));
     if (report.at("state") != "not held against anything") continue;
     data row;
     set_report(row, report);
     unheld.push_back(row);
   }
   page.set("reports", reports);
+  page.set("groups", group_rows(index, thumbnails));
   page["at_once"] =
       index.value("at_once", 0) > 1 ? data(std::to_string(index["at_once"].get<long>())) : data(false);
   page["has_comparisons"] = !index.at("statistics").empty();

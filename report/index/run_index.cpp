@@ -40,6 +40,16 @@ int rank(const Document& entry) {
   return static_cast<int>(found - order.begin());
 }
 
+/// The kind of evidence that tells most of what a report has: figures that were published before solutions,
+/// these before work, and last Plumb's own earlier output; empty where there is none.
+std::string kind_of(const Document& verdicts) {
+  for (const VerdictKind kind : {VerdictKind::validation, VerdictKind::verification, VerdictKind::performance,
+                                 VerdictKind::regression})
+    for (const Document& verdict : verdicts)
+      if (verdict.at("kind") == word(kind)) return std::string(word(kind));
+  return "";
+}
+
 bool is_bad(const Document& entry) {
   return rank(entry) < 3;
 }
@@ -48,6 +58,7 @@ bool is_bad(const Document& entry) {
 Document entry_of_none(const IndexedReport& report) {
   return {{"folder", report.folder},
           {"state", failed_to_run},
+          {"kind", ""},
           {"case", ""},
           {"title", report.folder},
           {"headline", report.fault.empty() ? "The run left no report."
@@ -73,6 +84,7 @@ Document entry(const IndexedReport& report) {
                  &verdicts = document.at("verdicts");
   return {{"folder", report.folder},
           {"state", state_of(document)},
+          {"kind", kind_of(verdicts)},
           {"case", document.at("case").at("file")},
           {"title", document.at("title")},
           {"headline", document.at("headline")},

@@ -8,6 +8,7 @@
 #include "report/document/report_formats.h"
 #include "report/page/changes_html.h"
 #include "report/page/conclusion.h"
+#include "report/page/first_failure.h"
 #include "report/page/given_html.h"
 #include "report/page/page_scripts.h"
 #include "report/page/page_tables.h"
@@ -124,6 +125,7 @@ std::string to_page(const Document& document, const Pictures& pictures,
   page["trouble"] = conclusion.trouble;
   page["help"] = conclusion.help;
   page["has_help"] = !conclusion.help.empty();
+  page["first_failure"] = first_failure_html(document, pictures);
   page["solved"] = solved;
   page["ended_early"] =
       solved  ? std::string()

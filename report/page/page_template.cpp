@@ -43,7 +43,14 @@ data picture_values(const Picture& picture, const std::string& more) {
   values["alt"] = picture.alt;
   values["tall"] = picture.tall;
   values["file"] = picture.file;
-  values["uri"] = data_uri(picture.png);
+  std::string image = fmt::format(R"(<img src="{}" alt="{}" width="800">)",
+                                  data_uri(picture.page_png.empty() ? picture.png : picture.page_png),
+                                  escape_xml(picture.alt));
+  if (!picture.dark_png.empty())
+    image = fmt::format(
+        R"html(<picture><source media="screen and (prefers-color-scheme: dark)" srcset="{}">{}</picture>)html",
+        data_uri(picture.dark_png), image);
+  values["image"] = image;
   return values;
 }
 

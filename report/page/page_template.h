@@ -24,8 +24,8 @@ std::string data_uri(const std::string& png);
 /// Rows of {{name}} and {{value}}.
 kainjow::mustache::data pair_rows(const std::vector<std::pair<std::string, std::string>>& items);
 
-/// {{uri}}, {{alt}}, {{title}}, {{file}} and {{tall}} of a picture; {{caption}} is its title as a sentence,
-/// and `more`.
+/// {{{image}}}, which suits the theme of the page where the picture was drawn for it, {{alt}}, {{title}},
+/// {{file}} and {{tall}} of a picture; {{caption}} is its title as a sentence, and `more`.
 kainjow::mustache::data picture_values(const Picture& picture, const std::string& more = "");
 /// Rows of them.
 kainjow::mustache::data picture_rows(const std::vector<Picture>& pictures);

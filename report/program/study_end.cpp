@@ -26,7 +26,7 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   stages.begin("figures");
   DrawingTools tools;
   draw_figures(study.figures_beside(), tools, study.title(), folder);
-  const std::vector<Picture> pictures = draw_figures(study.figures(), tools, study.title(), folder);
+  const std::vector<Picture> pictures = draw_for_page(study.figures(), tools, study.title(), folder);
   stages.end();
   const StudyReport report = study.report(stages);
   stages.begin("report");
@@ -39,6 +39,8 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   for (const Finding& finding : study.findings()) say(finding, console);
   if (study.says_verdicts()) say_verdicts(report.verdicts, console);
   console.line(report.headline);
+  for (const std::string* more : {&report.details, &report.counts})
+    if (!more->empty()) console.line(*more);
   say_stages(stages, console);
   console.line("report: " + folder.path() + "/index.html");
   if (options.json) write_to_standard_output(to_json(content.document, false));

@@ -20,11 +20,19 @@ std::string lines_within(const std::string& text, std::size_t room) {
   return text.size() <= room ? text : text.substr(0, room == 0 ? 0 : text.rfind('\n', room - 1) + 1);
 }
 
+/// What it concludes, and what that rests on.
+std::string in_short(const StudyReport& report) {
+  std::string text = report.headline;
+  for (const std::string* more : {&report.details, &report.counts})
+    if (!more->empty()) text += " " + *more;
+  return text;
+}
+
 Document document_of(const StudyReport& report) {
   Document json;
   json["schema_version"] = results_version;
   json["title"] = report.loaded.spec.title;
-  json["headline"] = report.headline;
+  json["headline"] = in_short(report);
   // Where there is none, nothing is met.
   json["all_criteria_met"] = report.complete && all_met(report.verdicts);
   json["verdicts"] = Document::array();
@@ -38,8 +46,10 @@ Document document_of(const StudyReport& report) {
 
 std::string summary_of(const StudyReport& report) {
   constexpr std::size_t most = 63 * 1024;
-  const std::string head = fmt::format("# {}: {}\n\n{}\n\n", escape_markdown(report.loaded.spec.title),
-                                       escape_markdown(report.subject), escape_markdown(report.headline));
+  std::string head = fmt::format("# {}: {}\n\n{}\n\n", escape_markdown(report.loaded.spec.title),
+                                 escape_markdown(report.subject), escape_markdown(report.headline));
+  for (const std::string* more : {&report.details, &report.counts})
+    if (!more->empty()) head += escape_markdown(*more) + "\n\n";
   // The verdicts, of bounded length themselves, go first where there is no room for all.
   const std::string verdicts = verdict_table(report.verdicts);
   const auto room = [&](std::size_t taken) { return most - std::min(most, taken); };
@@ -61,6 +71,10 @@ std::string to_page(const StudyReport& report, const StudySection& section) {
   page["title"] = report.loaded.spec.title;
   page["subject"] = report.subject;
   page["headline"] = report.headline;
+  page["details"] = report.details;
+  page["has_details"] = !report.details.empty();
+  page["counts"] = report.counts;
+  page["has_counts"] = !report.counts.empty();
   page["good"] = report.complete && all_passed(report.verdicts);
   for (const auto& [id, text] : section.links) {
     kainjow::mustache::data entry;

@@ -20,7 +20,9 @@ struct StudyReport {
   Provenance provenance;
   std::vector<Verdict> verdicts;
   Stages stages;              ///< those before the report itself
-  std::string headline = {};  ///< the study in one sentence
+  std::string headline = {};  ///< what the study concludes, in one sentence
+  std::string details = {};   ///< what else it concludes, in sentences; may be empty
+  std::string counts = {};    ///< what that rests on: how many runs, and how many criteria are met
   bool complete = true;       ///< false where nothing could be run at all
   Document results = {};      ///< what results.json has of this kind alone: {"stability": {…}}
   std::vector<JunitSuite> suites = suites_of(verdicts);

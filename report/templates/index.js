@@ -49,6 +49,7 @@
       else mark.setAttribute("visibility", "hidden");
     }
     for (const group of groups) group.hidden = ![...group.querySelectorAll("tr[data-status]")].some((row) => !row.hidden);
+    for (const group of all(".report-group")) group.hidden = ![...group.querySelectorAll(".card")].some((card) => !card.hidden);
     said.textContent = tally(found.size, shown);
   };
   for (const node of [kind.select, status.select]) node.addEventListener("change", show);

@@ -101,6 +101,7 @@ std::vector<Verdict> distance_verdicts(const Run& run, const std::vector<GivenDi
                                    given.name, reported);
     } else {
       verdict.value = distance.max;
+      verdict.time = distance.max_time;
       verdict.status = within(verdict.value, verdict.limit) ? VerdictStatus::passed : VerdictStatus::failed;
       verdict.detail = fmt::format("the greatest at {:.4g} s; {}", distance.max_time,
                                    in_words(distance.coverage, distance.unit));

@@ -51,7 +51,7 @@ std::string place_of(double time, const Coverage& coverage) {
 /// It passed, and says nothing.
 void take_back(Verdict& verdict, std::string why) {
   verdict.status = VerdictStatus::not_run;
-  verdict.value = -1;
+  verdict.value = verdict.time = -1;
   verdict.detail = std::move(why);
 }
 
@@ -125,6 +125,7 @@ std::vector<Verdict> verdicts(const Run& run, const std::vector<SeriesError>& er
       verdict.status = other_model                            ? VerdictStatus::another_model
                        : within(verdict.value, verdict.limit) ? VerdictStatus::passed
                                                               : VerdictStatus::failed;
+      if (!error.coverage.of_modes && std::isfinite(error.max_time)) verdict.time = error.max_time;
       verdict.detail = fmt::format("the greatest {}; {}", place_of(error.max_time, error.coverage),
                                    in_words(error.coverage, error.unit));
       hold_to_scale(verdict, error.scale, "the reference");

@@ -46,6 +46,7 @@ struct Verdict {
   std::string detail;                ///< over how much, where the greatest is; or why it was not run
   std::string message;               ///< the outcome in words, with the numbers and the detail
   std::string reason;                ///< why this limit; may be empty
+  double time = -1;                  ///< s, where the value was found; -1: of no one time
 };
 
 std::string_view word(VerdictKind);

@@ -8,16 +8,10 @@
 namespace plumb {
 namespace {
 
-/// Settings side by side: places [from, to).
-struct Stretch {
-  std::size_t from = 0, to = 0;
-  bool empty() const { return from == to; }
-};
-
 template <class Holds>
-Stretch longest(const OutcomeMap& map, std::size_t at, Holds holds) {
+SettingStretch longest(const OutcomeMap& map, std::size_t at, Holds holds) {
   const std::size_t n = map.settings.size();
-  Stretch best, now;
+  SettingStretch best, now;
   for (std::size_t k = 0; k < n; ++k) {
     if (!holds(map.points[at * n + k].outcome)) {
       now = {k + 1, k + 1};
@@ -44,6 +38,14 @@ std::string limit_in_words(const OutcomeMap& map, std::size_t at) {
 
 }  // namespace
 
+SettingStretch accurate_stretch(const OutcomeMap& map, std::size_t at) {
+  return longest(map, at, [](Outcome outcome) { return outcome == Outcome::accurate; });
+}
+
+SettingStretch stable_stretch(const OutcomeMap& map, std::size_t at) {
+  return longest(map, at, is_stable);
+}
+
 std::string setting_text(double setting, int digits) {
   if (!(setting > 0) || !std::isfinite(setting)) return fmt::format("{:g}", setting);
   if (setting >= 0.01 && setting < 1000) return fmt::format("{:.{}g}", setting, digits);
@@ -55,8 +57,7 @@ std::string setting_text(double setting, int digits) {
 std::string step_in_words(const OutcomeMap& map, std::size_t at) {
   const std::size_t n = map.settings.size();
   if (n == 0) return map.by_step ? "no step was tried" : "no tolerance was tried";
-  const Stretch accurate = longest(map, at, [](Outcome outcome) { return outcome == Outcome::accurate; });
-  const Stretch stable = longest(map, at, is_stable);
+  const SettingStretch accurate = accurate_stretch(map, at), stable = stable_stretch(map, at);
   const auto text = [&](std::size_t k) {
     return fmt::format("{}{}", setting_text(map.settings[k]), map.by_step ? " s" : "");
   };

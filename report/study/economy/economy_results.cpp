@@ -181,16 +181,20 @@ std::vector<std::string> need_lines(const EconomyStudy& study) {
 
 StudyReport evaluate_economy(const EconomyStudy& study, const Stages& stages) {
   StudyReport report{study.loaded, "what scenes need", study.provenance, verdicts_of(study), stages};
-  if (const SceneNeed* own = own_picture(study))
-    report.headline = economy_sentence(own->economy, own->scene) + " ";
+  const SceneNeed* own = own_picture(study);
+  report.headline = own == nullptr ? "No picture was asked for, so nothing can be said of what it needs."
+                                   : economy_sentence(own->economy, own->scene);
+  if (own != nullptr && cost_ratio(study, *own) > 0)
+    report.details = fmt::format("That costs {:.3g} ms, {:.3g} times less than the safe default.",
+                                 1e3 * own->seconds, cost_ratio(study, *own));
   if (!study.scenes.empty()) {
     const Counts counts = counts_of(study);
-    report.headline +=
-        fmt::format("Of {}, {} met the tolerance that the choice was said to meet, {} did not. ",
-                    counted(std::ssize(study.scenes), "random scene", "random scenes"),
-                    counts.hold - counts.missed, counts.missed);
+    report.details += fmt::format(
+        "{}Of {}, {} met the tolerance that the choice was said to meet, {} did not.",
+        report.details.empty() ? "" : " ", counted(std::ssize(study.scenes), "random scene", "random scenes"),
+        counts.hold - counts.missed, counts.missed);
   }
-  report.headline += met_in_words(report.verdicts);
+  report.counts = met_in_words(report.verdicts);
   report.results["economy"] = study_document(study);
   for (const std::string& line : need_lines(study)) report.after += "\n-" + escape_markdown(line.substr(1));
   report.after += "\n";

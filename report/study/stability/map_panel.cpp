@@ -10,17 +10,6 @@ namespace {
 
 constexpr Color limit_color = Color::hex(0x000000);
 
-/// Halfway by ratio between neighbours, and as far beyond the outer ones.
-std::vector<double> edges_between(const std::vector<double>& values) {
-  constexpr double alone = 1.5;
-  const std::size_t n = values.size();
-  std::vector<double> edges(n + 1);
-  for (std::size_t k = 1; k < n; ++k) edges[k] = std::sqrt(values[k - 1] * values[k]);
-  edges[0] = n > 1 ? values[0] * values[0] / edges[1] : values[0] / alone;
-  edges[n] = n > 1 ? values[n - 1] * values[n - 1] / edges[n - 1] : values[0] * alone;
-  return edges;
-}
-
 /// As a list of equal heights where a value has no place on a logarithmic axis.
 bool all_positive(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return value > 0; });
@@ -42,6 +31,16 @@ bool has_limits(const OutcomeMap& map) {
 }
 
 }  // namespace
+
+std::vector<double> edges_between(const std::vector<double>& values) {
+  constexpr double alone = 1.5;
+  const std::size_t n = values.size();
+  std::vector<double> edges(n + 1);
+  for (std::size_t k = 1; k < n; ++k) edges[k] = std::sqrt(values[k - 1] * values[k]);
+  edges[0] = n > 1 ? values[0] * values[0] / edges[1] : values[0] / alone;
+  edges[n] = n > 1 ? values[n - 1] * values[n - 1] / edges[n - 1] : values[0] * alone;
+  return edges;
+}
 
 Panel map_panel(const Stability& study, const OutcomeMap& map, const std::string& title) {
   Panel panel;

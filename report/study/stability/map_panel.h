@@ -1,9 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/study/stability/stability.h"
 #include "render/plot/plot.h"
 
 namespace plumb {
+
+/// Where the cells of values, rising and above 0, begin and end: halfway by ratio between neighbours, and as
+/// far beyond the outer ones. One more than values.
+std::vector<double> edges_between(const std::vector<double>& values);
 
 /// A map of outcomes as a panel with the predicted limits over it; `title` may be empty. Its categories are
 /// those of map_key().

@@ -8,6 +8,8 @@
 #include "report/figure/curve_style.h"
 #include "report/figure/outcome_style.h"
 #include "report/page/page_template.h"
+#include "report/study/stability/stability_bars.h"
+#include "report/study/stability/stability_conclusion.h"
 #include "report/study/stability/stability_figures.h"
 #include "report/study/stability/stability_map_data.h"
 #include "report/study/stability/stability_results.h"
@@ -85,6 +87,10 @@ void set_words(data& values, const Stability& study) {
     row.set("cells", cells);
     rows.push_back(row);
   }
+  const ToldPlace own = own_place(study);
+  values["bars_intro"] = fmt::format(
+      "What became of every run, {}: what bears the greatest step and stays accurate, to {:g} m, first.",
+      place_in_words(study, own.axis), study.tolerance);
   values["words_intro"] =
       fmt::format("The steps that a user would want, from the maps over {}: {}.",
                   axis == MapAxis::parameter ? study.parameter : "the elements", place_in_words(study, axis));
@@ -100,18 +106,17 @@ void set_maps(data& values, const Stability& study, const std::vector<Picture>& 
                            "its energy alone.";
   data outcomes{data::type::list};
   for (const OutcomeStyle& style : outcome_styles()) {
-    long count = 0;
-    for (const OutcomeMap& map : study.maps)
-      count += std::count_if(map.points.begin(), map.points.end(),
-                             [&](const StabilityPoint& point) { return point.outcome == style.outcome; });
-    if (count == 0) continue;
+    const auto has = [&](const OutcomeMap& map) {
+      return std::any_of(map.points.begin(), map.points.end(),
+                         [&](const StabilityPoint& point) { return point.outcome == style.outcome; });
+    };
+    if (std::none_of(study.maps.begin(), study.maps.end(), has)) continue;
     data entry;
     entry["color"] = css(style.color);
     entry["ink"] = css(ink_on(style.color));
     entry["letter"] = style.letter.empty() ? " " : style.letter;
     entry["name"] = std::string(word(style.outcome));
     entry["meaning"] = style.meaning;
-    entry["count"] = counted(count, "point", "points");
     outcomes.push_back(entry);
   }
   values.set("outcomes", outcomes);
@@ -285,6 +290,7 @@ std::string section_html(const Stability& study, const std::vector<Picture>& pic
   values["summary"] = summary(study);
   values["has_parameter"] = !study.parameter.empty();
   values["parameter"] = study.parameter;
+  values["bars"] = stability_bars(study);
   set_words(values, study);
   set_maps(values, study, pictures);
   values["has_limits"] = !study.critical_steps.empty();
@@ -320,7 +326,7 @@ StudySection shown_stability(const Stability& study, const std::vector<Picture>&
   if (!study.divergences.empty()) section.links.emplace_back("stability-separation", "Horizon");
   section.links.emplace_back("stability-failures", "Failures");
   section.html = section_html(study, pictures);
-  section.css = stability_css;
+  section.css = std::string(stability_css) + stability_bars_css(study);
   section.data = data_element("stability-data", stability_map_data(study));
   section.scripts = {{stability_js, stability_js_sha256}};
   section.verdict_note =

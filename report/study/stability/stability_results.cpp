@@ -10,6 +10,7 @@
 #include "engine/study/stability/step_in_words.h"
 #include "report/base/escape.h"
 #include "report/figure/outcome_style.h"
+#include "report/study/stability/stability_conclusion.h"
 #include "report/verdict/results.h"
 
 namespace plumb {
@@ -122,9 +123,13 @@ StudyReport evaluate_stability(const StabilityStudyFile& file, const Stages& sta
   long points = 0;
   for (const OutcomeMap& map : study.maps) points += std::ssize(map.points);
   const std::string maps = counted(std::ssize(study.maps), "map", "maps");
-  report.headline = fmt::format("{} in {}: {}. {}", counted(points, "point", "points"), maps,
-                                outcomes_in_words(study), met_in_words(report.verdicts));
+  const StabilityConclusion conclusion = conclude(study);
+  report.headline = conclusion.sentence;
+  report.details = conclusion.details;
+  report.counts = fmt::format("{} in {}: {}. {}", counted(points, "point", "points"), maps,
+                              outcomes_in_words(study), met_in_words(report.verdicts));
   report.results["stability"] = stability_to_json(study);
+  report.results["stability"]["conclusion"] = stability_conclusion_json(study);
   const bool run = any_run(study);
   report.suites.insert(report.suites.begin(),
                        {"study",

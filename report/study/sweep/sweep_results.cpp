@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/integrate/method_info.h"
 #include "engine/study/sweep/sweep_json.h"
@@ -80,19 +81,30 @@ Json counts_json(const OutcomeCounts& counts, const std::vector<Outcome>& shown)
   return json;
 }
 
-/// How many cases there are, and what none of them does, or some do.
-std::string headline_of(const Sweep& sweep) {
-  std::string text = fmt::format(
-      "{}: {}, {}, {}", counted(std::ssize(sweep.runs), "random case", "random cases"),
-      none_or(wrongly_accurate(sweep), "ends accurate beyond its tolerance",
-              "end accurate beyond their tolerance"),
-      none_or(faulty(sweep), "crashes or hangs", "crash or hang"),
-      none_or(not_finite(sweep), "holds a number that is not finite", "hold a number that is not finite"));
+/// Whether the program may be believed where it was not tried, and how far that goes.
+void conclude(StudyReport& report, const Sweep& sweep) {
+  const long all = std::ssize(sweep.runs), wrong = wrongly_accurate(sweep), faults = faulty(sweep),
+             infinite = not_finite(sweep);
+  const std::string cases = counted(all, "random case", "random cases");
+  if (all == 0) {
+    report.headline = "No random case was run, so nothing is claimed.";
+  } else if (wrong + faults + infinite == 0) {
+    // Of n cases that all hold: (1 − p)ⁿ = 5 %.
+    const double most = 1 - std::pow(0.05, 1 / static_cast<double>(all));
+    report.headline = fmt::format(
+        "Every run tells the truth: of {} none ends accurate beyond its tolerance, crashes, hangs or holds a "
+        "number that is not finite; with 95 % confidence less than {:.2g} % of such cases do.",
+        cases, 100 * most);
+  } else {
+    report.headline = fmt::format(
+        "Not every run tells the truth: of {} {}, {}, {}.", cases,
+        none_or(wrong, "ends accurate beyond its tolerance", "end accurate beyond their tolerance"),
+        none_or(faults, "crashes or hangs", "crash or hang"),
+        none_or(infinite, "holds a number that is not finite", "hold a number that is not finite"));
+  }
   if (const long other = unjudged(sweep); other > 0)
-    text += fmt::format(", {} could not be judged", other);
-  else if (!sweep.runs.empty())
-    text += ", and each ends in one of seven outcomes";
-  return text + ". ";
+    report.details = fmt::format("{} could not be judged.", counted(other, "run", "runs"));
+  report.counts = met_in_words(report.verdicts);
 }
 
 Json sweep_document(const Sweep& sweep) {
@@ -190,7 +202,7 @@ std::string command_of(const Sweep& sweep, const SweepRun& run) {
 
 StudyReport evaluate_sweep(const Sweep& sweep, const Stages& stages) {
   StudyReport report{sweep.loaded, "random cases", sweep.provenance, sweep_verdicts(sweep), stages};
-  report.headline = headline_of(sweep) + met_in_words(report.verdicts);
+  conclude(report, sweep);
   report.results["sweep"] = sweep_document(sweep);
   report.after = "\n| outcome | runs | share |\n| --- | --- | --- |\n";
   const OutcomeCounts counts = outcome_counts(sweep);

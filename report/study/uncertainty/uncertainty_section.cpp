@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
 #include "report/study/uncertainty/uncertainty_figure.h"
+#include "report/verdict/results.h"
 
 namespace plumb {
 
@@ -154,6 +156,55 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
   }
 }
 
+/// The series whose error is greatest against the uncertainty of its comparison; null: none is known.
+const Json* clearest_series(const Json& uncertainty) {
+  const Json* clearest = nullptr;
+  double most = -1;
+  for (const Json& series : uncertainty.at("series")) {
+    const Json &error = series.at("error_at_greatest"), &u = series.at("validation_uncertainty_at_greatest");
+    if (!error.is_number() || !u.is_number() || !(u.get<double>() > 0)) continue;
+    const double ratio = std::abs(error.get<double>()) / u.get<double>();
+    if (ratio <= most) continue;
+    most = ratio;
+    clearest = &series;
+  }
+  return clearest;
+}
+
+/// "the clearest error, +0.015 m in tip.z, is within the uncertainty of its comparison, 2 u ≥ 0.02 m"; empty
+/// where that is not known.
+std::string clearest_in_words(const Json& uncertainty) {
+  const Json* series = clearest_series(uncertainty);
+  if (series == nullptr) return "";
+  const double expanded = uncertainty.at("coverage_factor").get<double>() *
+                          series->at("validation_uncertainty_at_greatest").get<double>();
+  const double error = series->at("error_at_greatest").get<double>();
+  const std::string unit = text_of(*series, "unit");
+  return fmt::format(
+      "the clearest error, {:+.2g} {} in {}, is {} the uncertainty of its comparison, {:g} u {} "
+      "{:.2g} {}",
+      error, unit, text_of(*series, "column"), std::abs(error) <= expanded ? "within" : "beyond",
+      uncertainty.at("coverage_factor").get<double>(), series->at("at_least").get<bool>() ? "≥" : "=",
+      expanded, unit);
+}
+
+/// What all comparisons come to.
+std::string uncertainty_in_words(const Json& uncertainty) {
+  const Json& all = uncertainty.at("series");
+  const auto within = std::count_if(all.begin(), all.end(), [](const Json& series) {
+    return series.at("share_within").get<double>() >= 1;
+  });
+  const std::string clearest = clearest_in_words(uncertainty);
+  return fmt::format("{} of {} cannot be told apart from the reference at any time{}{}.", within,
+                     counted(std::ssize(all), "comparison", "comparisons"), clearest.empty() ? "" : "; ",
+                     clearest);
+}
+
+std::string uncertainty_clause(const Document& document) {
+  const std::string clearest = clearest_in_words(document.at(uncertainty_key));
+  return clearest.empty() ? "" : "; " + clearest;
+}
+
 std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>& pictures) {
   const Json& sampling = uncertainty.at("sampling");
   data values;
@@ -161,6 +212,7 @@ std::string uncertainty_html(const Document& uncertainty, const std::vector<Pict
   values["k"] = fmt::format("{:g}", uncertainty.at("coverage_factor").get<double>());
   values["runs"] = std::to_string(uncertainty.at("runs").get<int>());
   values["seconds"] = fmt::format("{:.2g}", uncertainty.at("seconds").get<double>());
+  values["in_words"] = uncertainty.at("series").empty() ? std::string() : uncertainty_in_words(uncertainty);
   values["has_series"] = !uncertainty.at("series").empty();
   values.set("series", series_rows(uncertainty));
   data names{data::type::list};
@@ -206,7 +258,8 @@ PageSection uncertainty_on_page() {
           .link = "Uncertainty",
           .title = "Uncertainty of the comparisons",
           .html = uncertainty_html,
-          .figures_key = uncertainty_figures_key};
+          .figures_key = uncertainty_figures_key,
+          .clause = uncertainty_clause};
 }
 
 }  // namespace plumb

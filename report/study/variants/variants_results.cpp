@@ -69,8 +69,8 @@ Verdict verdict_of(const VariantResult& variant) {
   return verdict;
 }
 
-/// How the variants ended, and which of them not as expected, in words.
-std::string headline_of(const std::vector<VariantResult>& variants, const std::vector<Verdict>& verdicts) {
+/// How the variants ended.
+std::string counts_of(const std::vector<VariantResult>& variants) {
   std::string ends;
   for (const Outcome outcome : outcomes()) {
     const auto count = std::count_if(variants.begin(), variants.end(), [&](const VariantResult& variant) {
@@ -78,17 +78,39 @@ std::string headline_of(const std::vector<VariantResult>& variants, const std::v
     });
     if (count > 0) ends += fmt::format("{}{} {}", ends.empty() ? "" : ", ", count, word(outcome));
   }
-  std::string text = fmt::format("{}: {}. ", counted(std::ssize(variants), "variant", "variants"), ends);
-  std::string others;
-  for (const Verdict& verdict : verdicts)
-    if (verdict.status != VerdictStatus::passed)
-      others += fmt::format("{}\"{}\"", others.empty() ? "" : ", ", verdict.name);
-  if (verdicts.empty()) return text + "Nothing is expected of them, so nothing is claimed.";
-  if (others.empty())
-    return text + (verdicts.size() == variants.size()
-                       ? "Each ends as expected, with the figures that are known of it."
-                       : fmt::format("All {} of which something is expected show it.", verdicts.size()));
-  return text + fmt::format("Not as expected: {}.", others);
+  return fmt::format("{}: {}.", counted(std::ssize(variants), "variant", "variants"), ends);
+}
+
+/// Whether they end as expected, and how close it is.
+void conclude(StudyReport& report, const std::vector<VariantResult>& variants) {
+  const std::vector<Verdict>& verdicts = report.verdicts;
+  report.counts = counts_of(variants);
+  std::vector<std::string> others;
+  const Verdict* closest = nullptr;
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.status != VerdictStatus::passed) others.push_back(fmt::format("\"{}\"", verdict.name));
+    if (!closest || verdict.value > closest->value) closest = &verdict;
+  }
+  if (verdicts.empty()) {
+    report.headline = "Nothing is expected of the variants, so nothing is claimed.";
+  } else if (!others.empty()) {
+    report.headline = fmt::format("Not as expected: {} of {}: {}.", others.size(),
+                                  counted(std::ssize(verdicts), "variant", "variants"), listed(others));
+    const auto first = std::find_if(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) {
+      return verdict.status != VerdictStatus::passed;
+    });
+    report.details =
+        fmt::format("{} was expected to be {}, and is {}.", others.front(), first->criterion, first->message);
+  } else {
+    report.headline = fmt::format("It fails and holds where it should: {} as expected{}.",
+                                  verdicts.size() == 1 ? std::string("the one variant ends")
+                                                       : fmt::format("all {} variants end", verdicts.size()),
+                                  verdicts.size() == variants.size() ? "" : " of which something is");
+    if (closest->value > 0)
+      report.details = fmt::format(
+          "Every figure known of them is met; the closest, of \"{}\", uses {:.2g} % of its margin.",
+          closest->name, 100 * closest->value);
+  }
 }
 
 Document figure_json(const ExpectationFound& figure) {
@@ -163,7 +185,7 @@ StudyReport evaluate_variants(const VariantsStudy& study, const Stages& stages) 
                            fmt::format("expected: {}; found: {}", verdict.criterion, verdict.message),
                            std::max(0.0, variant.trajectory.solve_seconds)});
   }
-  report.headline = headline_of(variants, report.verdicts);
+  conclude(report, variants);
   report.suites = {suite};
   return report;
 }

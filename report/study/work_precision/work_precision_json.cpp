@@ -4,6 +4,7 @@
 
 #include "engine/base/errors.h"
 #include "engine/study/work_precision/work_precision_members.h"
+#include "report/study/work_precision/work_precision_conclusion.h"
 
 namespace plumb {
 
@@ -145,6 +146,7 @@ Json work_precision_json(const WorkPrecision& study) {
     members_of_run(a, run, study.length);
     runs.push_back(std::move(a.json));
   }
+  whole.json["conclusion"] = conclusion_json(study);
   for (const auto& [name, value] : study.provenance) whole.json["provenance"][name] = value;
   return std::move(whole.json);
 }

@@ -8,9 +8,11 @@
 #include <set>
 
 #include "engine/study/work_precision/cheapest.h"
+#include "report/base/escape.h"
 #include "report/page/page_template.h"
 #include "report/study/work_precision/compared_lines.h"
 #include "report/study/work_precision/study_chart_data.h"
+#include "report/study/work_precision/work_precision_conclusion.h"
 #include "report/study/work_precision/work_precision_figures.h"
 #include "report/study/work_precision/work_precision_json.h"
 #include "report/verdict/results.h"
@@ -285,9 +287,54 @@ std::string summary(const WorkPrecision& study) {
                     "cannot be held against one another");
 }
 
+/// What to choose: for some accuracies, and for each mesh.
+void set_conclusion(data& values, const WorkPrecision& study) {
+  const WorkPrecisionConclusion conclusion = conclude(study);
+  const std::vector<std::string> labels = labels_of(study);
+  const StudyQuestion question = conclusion.of_time_alone ? StudyQuestion::time : StudyQuestion::total;
+  const auto row_of = [&](std::size_t run) {
+    data row = run_row(study, labels[run], run, question);
+    row["cost"] = study.work_in_words(study.work(study.runs[run]));
+    return row;
+  };
+  data ways{data::type::list}, meshes{data::type::list}, failing{data::type::list};
+  for (const CheapestRun& way : conclusion.ways) {
+    data row = row_of(way.run);
+    row["within"] = fmt::format("1e{} m", std::lround(std::log10(way.error)));
+    ways.push_back(row);
+  }
+  bool known = false;
+  for (const MeshAdvice& mesh : conclusion.meshes) {
+    data row;
+    if (mesh.run) row = row_of(*mesh.run);
+    row["has_run"] = mesh.run.has_value();
+    row["mesh"] = std::to_string(mesh.elements);
+    row["mesh_error"] = mesh.error < 0 ? "not known" : number(mesh.error) + " m";
+    meshes.push_back(row);
+    known = known || mesh.error >= 0;
+  }
+  for (const FailingCurve& one : conclusion.failing) {
+    const WorkPrecisionRun& run = study.runs[one.run];
+    data row;
+    row["label"] = study.curves[one.curve].label;
+    row["from"] = one.everywhere ? "every one that was tried" : run.setting() + " and coarser";
+    row["how"] = how_it_fails(run);
+    failing.push_back(row);
+  }
+  values["of_time_alone"] = conclusion.of_time_alone;
+  values["has_ways"] = !conclusion.ways.empty();
+  values.set("ways", ways);
+  values["has_meshes"] = known;
+  values.set("meshes", meshes);
+  values["has_failing"] = !conclusion.failing.empty();
+  values["failing_count"] = counted(std::ssize(conclusion.failing), "curve", "curves");
+  values.set("failing", failing);
+}
+
 std::string study_html(const WorkPrecision& study, const std::vector<Picture>& pictures) {
   data values;
   values["summary"] = summary(study);
+  set_conclusion(values, study);
   values["fixed"] = counted(study.fixed_elements, "element", "elements");
   values["has_floors"] = !study.common_floors.empty();
   values["floors"] = floor_rows(study);
@@ -328,7 +375,11 @@ PageSection work_precision_on_page() {
           .title = "Speed against accuracy",
           .html =
               [](const Document& json, const std::vector<Picture>& pictures) {
-                return study_html(work_precision_from_json(json), pictures);
+                const WorkPrecision study = work_precision_from_json(json);
+                const WorkPrecisionConclusion conclusion = conclude(study);
+                return fmt::format("<p><span class=\"sentence\">{}</span> {}</p>\n",
+                                   escape_xml(conclusion.sentence), escape_xml(conclusion.details)) +
+                       study_html(study, pictures);
               },
           .figures_key = study_figures_key,
           .css = study_css,
@@ -354,7 +405,8 @@ std::string mesh_clause(const Document& document) {
 
 StudySection shown_work_precision(const WorkPrecision& study, const std::vector<Picture>& pictures) {
   StudySection section;
-  section.links = {{"study-time", "Time integration"}, {"study-total", "Total error"}};
+  section.links = {
+      {"study-choice", "What to choose"}, {"study-time", "Time integration"}, {"study-total", "Total error"}};
   if (!study_lines(study, StudyQuestion::time).empty()) section.links.emplace_back("study-orders", "Orders");
   if (study.mesh) section.links.emplace_back("study-mesh", "Mesh");
   section.links.emplace_back("study-failures", "Failures");

@@ -10,6 +10,7 @@
 #include "engine/integrate/method_info.h"
 #include "engine/study/work_precision/cheapest.h"
 #include "report/base/escape.h"
+#include "report/study/work_precision/work_precision_conclusion.h"
 #include "report/study/work_precision/work_precision_json.h"
 #include "report/verdict/results.h"
 
@@ -133,7 +134,10 @@ StudyReport evaluate_study(const Study& study, const Stages& stages) {
                                 [](const WorkPrecisionRun& run) { return run.completed(); });
   const std::string runs = counted(std::ssize(result.runs), "run", "runs");
   const std::string failures = failures_in_words(result);
-  report.headline =
+  const WorkPrecisionConclusion conclusion = conclude(result);
+  report.headline = conclusion.sentence;
+  report.details = conclusion.details;
+  report.counts =
       fmt::format("{} of {} on {}{}{}. {}", runs, counted(std::ssize(result.curves), "curve", "curves"),
                   counted(std::ssize(result.mesh_references), "mesh", "meshes"), failures.empty() ? "" : ": ",
                   failures, met_in_words(report.verdicts));

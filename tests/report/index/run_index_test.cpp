@@ -68,6 +68,37 @@ TEST(RunIndex, IsGreenOnlyWhereSomethingPassedAndGreyWhereNothingWasJudged) {
       says(page_of({report_with("a", "passed"), report_with("b", "not run")}), "class=\"headline bad\""));
 }
 
+TEST(RunIndex, GroupsReportsByTheirEvidenceAfterThoseThatFailed) {
+  IndexedReport solution = report_with("solution", "passed");
+  solution.document["verdicts"][0]["kind"] = "verification";
+  const std::vector<IndexedReport> reports{report_with("free", ""),
+                                           solution,
+                                           report_with("good", "passed"),
+                                           report_with("bad", "failed"),
+                                           {"gone"}};
+  const Document index = index_of(reports, {});
+  for (const Document& report : index.at("reports")) {
+    const std::string folder = report.at("folder");
+    EXPECT_EQ(report.at("kind"), folder == "solution"                   ? "verification"
+                                 : folder == "free" || folder == "gone" ? ""
+                                                                        : "validation")
+        << folder;
+  }
+  const std::string page = index_page(index, {}, reports);
+  const std::string strip =
+      page.substr(page.find("id=\"strip\""), page.find("id=\"reports\"") - page.find("id=\"strip\""));
+  std::size_t last = 0;
+  for (const char* part :
+       {"Failed first", "data-case=\"gone\"", "data-case=\"bad\"", ">Validation ", "data-case=\"good\"",
+        ">Verification ", "data-case=\"solution\"", ">Not held against anything ", "data-case=\"free\""}) {
+    const std::size_t at = strip.find(part);
+    ASSERT_NE(at, strip.npos) << part;
+    EXPECT_GT(at, last) << part;
+    last = at;
+  }
+  EXPECT_TRUE(says(strip, "known: tip.y: 0.1 m found, 0.125 m allowed, at 1 s")) << strip;
+}
+
 TEST(RunIndex, SaysWhyThereIsNoReport) {
   IndexedReport gone{"gone"};
   gone.fault = "crashed (signal 11)";

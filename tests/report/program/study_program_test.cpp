@@ -33,6 +33,14 @@ TEST(StudyProgram, StudyMakesItsFolderAndSaysTheCheapestOfEachDecade) {
   EXPECT_NE(ended.out.find("below 1e-3 m: "), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("Observed orders"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("Pareto front"), std::string::npos) << ended.out;
+  const std::string conclusion = Json::parse(read_text(folder / "output/pendulum_study/results.json"))
+                                     .at("work_precision")
+                                     .at("conclusion")
+                                     .at("in_words");
+  EXPECT_NE(ended.out.find(conclusion.substr(0, conclusion.find(": "))), std::string::npos) << conclusion;
+  const std::string page = read_text(folder / "output/pendulum_study/index.html");
+  EXPECT_NE(page.find("<source media=\"screen and (prefers-color-scheme: dark)\""), std::string::npos)
+      << "figures suit a dark page";
 }
 
 TEST(StudyProgram, JsonIsWhatResultsHold) {

@@ -65,9 +65,20 @@ TEST(StabilityResults, JsonJunitAndSummarySayTheSame) {
   EXPECT_EQ(json["stability"]["maps"][0]["points"][2]["outcome"], "unstable");
   EXPECT_EQ(json["stability"]["maps"][0]["points"][2]["message"], "it ended so");
   EXPECT_EQ(
-      json["headline"],
+      results.headline,
+      "At f = 5, 4 elements, 2 s: rk4, the only method, stays accurate to 0.01 m up to a step of 1.0e-4 s.");
+  EXPECT_EQ(
+      results.details,
+      "It fails at 4.0e-4 s (unstable). The 2 critical steps found "
+      "are within 1.5 % of the ones predicted. Of those that choose their steps, cvode-bdf (order ≤ 2), the "
+      "only method, stays accurate to 0.01 m up to rtol 1.0e-4.");
+  EXPECT_EQ(
+      results.counts,
       "96 points in 6 maps: 12 accurate, 12 inaccurate, 12 unstable, 12 diverged, 12 no-convergence, 12 "
       "singular, 12 unstable-equilibrium, 12 out-of-time. 4 of 4 criteria met.");
+  EXPECT_EQ(json["headline"], results.headline + " " + results.details + " " + results.counts);
+  EXPECT_EQ(json["stability"]["conclusion"]["in_words"], results.headline + " " + results.details);
+  EXPECT_EQ(json["stability"]["conclusion"]["methods"].size(), 2U);
   const std::string junit = report_formats()[1].text(content_of(results)),
                     summary = content_of(results).summary;
   EXPECT_NE(junit.find("failures=\"0\""), junit.npos);

@@ -47,7 +47,19 @@ TEST(VariantsResults, AFailureThatIsExpectedPassesAndOneThatIsNotFails) {
   EXPECT_EQ(results.verdicts[0].kind, VerdictKind::verification);
   EXPECT_NEAR(results.verdicts[0].value, 0.2, 1e-12);
   EXPECT_EQ(results.verdicts[0].criterion, "unstable; end-time = 1.200 ± 0.05 s");
-  EXPECT_EQ(results.headline, "3 variants: 1 completed, 2 unstable. Not as expected: \"0.2\", \"0.3\".");
+  EXPECT_EQ(results.headline, "Not as expected: 2 of 3 variants: \"0.2\" and \"0.3\".");
+  EXPECT_EQ(results.details, "\"0.2\" was expected to be unstable; end-time = 1.200 ± 0.05 s, and is " +
+                                 results.verdicts[1].message + ".");
+  EXPECT_EQ(results.counts, "3 variants: 1 completed, 2 unstable.");
+}
+
+TEST(VariantsResults, WhereAllIsAsExpectedSayHowCloseItIs) {
+  const VariantsStudy study =
+      study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.24)});
+  const StudyReport results = evaluate_variants(study, {});
+  EXPECT_EQ(results.headline, "It fails and holds where it should: all 2 variants end as expected.");
+  EXPECT_EQ(results.details,
+            "Every figure known of them is met; the closest, of \"0.2\", uses 80 % of its margin.");
 }
 
 TEST(VariantsResults, ANumberThatIsMissingFails) {
