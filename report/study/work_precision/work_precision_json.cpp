@@ -96,6 +96,7 @@ void members_of_study(Archive& a, WorkPrecision& study) {
   a("total_cheapest", study.total_cheapest);
   a("common_floors", study.common_floors);
   a("mesh", study.mesh);
+  if (a.has("yardstick", true)) a("yardstick", study.yardstick);
 }
 
 /// A run as reports have it, whose counters stand beside all else.
@@ -116,6 +117,18 @@ void members_of_run(Archive& a, WorkPrecisionRun& run, double length) {
 }
 
 using Json = nlohmann::ordered_json;
+
+/// Those of other programs, whose points also say what their time is here.
+Json given_curves_json(const WorkPrecision& study) {
+  Json curves = Json::array();
+  for (const GivenCurve& curve : study.given_curves) {
+    curves.push_back(encode(curve, NotFinite::null));
+    for (std::size_t k = 0; k < curve.points.size(); ++k)
+      curves.back()["points"][k]["work_seconds"] =
+          encode(study.work(curve, curve.points[k]), NotFinite::null);
+  }
+  return curves;
+}
 
 /// Places in a list must lie in it.
 void check_places(const std::vector<std::size_t>& places, std::size_t size) {
@@ -145,6 +158,7 @@ Json work_precision_json(const WorkPrecision& study) {
     members_of_run(a, run, study.length);
     runs.push_back(std::move(a.json));
   }
+  whole.json["given_curves"] = given_curves_json(study);
   for (const auto& [name, value] : study.provenance) whole.json["provenance"][name] = value;
   return std::move(whole.json);
 }
@@ -157,6 +171,8 @@ WorkPrecision work_precision_from_json(const Json& json) {
     ObjectReader a(item, NotFinite::null);
     members_of_run(a, study.runs.emplace_back(), study.length);
   }
+  if (json.contains("given_curves")) decode(json.at("given_curves"), study.given_curves, NotFinite::null);
+  study.timed = study.has_times();
   decode(json.at("provenance"), study.provenance);
   check(study);
   return study;
