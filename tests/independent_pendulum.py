@@ -6,6 +6,7 @@ method. It shares no code with Plumb and needs nothing but Python. Usage: indepe
 """
 
 import math
+import sys
 
 LENGTH = 1.0  # m
 AXIAL_STIFFNESS = 40.0  # EA, N
@@ -18,7 +19,16 @@ END = 2.0  # s
 LINKS = 24
 STEPS_PER_ROW = 16
 ROWS = 250  # after the one at 0 s: one in 8 ms
-PLACES = {"Quarter": LINKS // 4, "Middle": LINKS // 2, "Three quarters": 3 * LINKS // 4, "Tip": LINKS}
+SHARES = {"Quarter": 0.25, "Middle": 0.5, "Three quarters": 0.75, "Tip": 1.0}
+PLACES = {place: round(share * LINKS) for place, share in SHARES.items()}
+
+
+def set_up(links=LINKS, steps_per_row=STEPS_PER_ROW, end=END):
+    """Another number of links, of steps and another end (s) than those above; rows stay as far apart."""
+    global LINKS, STEPS_PER_ROW, END, ROWS, PLACES  # pylint: disable=global-statement
+    ROWS = round(ROWS * end / END)
+    LINKS, STEPS_PER_ROW, END = links, steps_per_row, end
+    PLACES = {place: round(share * links) for place, share in SHARES.items()}
 
 
 def accelerations(r):
@@ -84,20 +94,20 @@ def row(t, r):
     return ",".join(numbers)
 
 
-def main():
+def write(file):
     r, v = [], []
     for k in range(LINKS + 1):
         x = LENGTH * k / LINKS
         r += [x, 0.0, 0.0]
         v += [0.0, 0.0, -ROTATION * x]
-    print("Time [ms]," + ",".join(f"{place} {axis} [mm]" for place in PLACES for axis in "XYZ"))
-    print(row(0.0, r))
+    print("Time [ms]," + ",".join(f"{place} {axis} [mm]" for place in PLACES for axis in "XYZ"), file=file)
+    print(row(0.0, r), file=file)
     h = END / (ROWS * STEPS_PER_ROW)
     for k in range(1, ROWS + 1):
         for _ in range(STEPS_PER_ROW):
             r, v = step(r, v, h)
-        print(row(END * k / ROWS, r))
+        print(row(END * k / ROWS, r), file=file)
 
 
 if __name__ == "__main__":
-    main()
+    write(sys.stdout)

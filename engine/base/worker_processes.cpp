@@ -131,7 +131,7 @@ class Worker {
 }  // namespace
 
 void run_in_processes(const WorkerJobs& jobs) {
-  constexpr int look_every = 50;  // ms
+  constexpr int poll_every = 50;  // ms
   std::vector<std::vector<JobLine>> lines(jobs.lines.size());
   std::vector<std::size_t> given(jobs.lines.size());
   const auto give = [&](std::size_t job) {
@@ -170,7 +170,7 @@ void run_in_processes(const WorkerJobs& jobs) {
     }
     std::vector<pollfd> files;
     for (const Worker& worker : workers) files.push_back({worker.file(), POLLIN, 0});
-    if (::poll(files.data(), files.size(), look_every) < 0 && errno != EINTR) fail("waiting for processes");
+    if (::poll(files.data(), files.size(), poll_every) < 0 && errno != EINTR) fail("waiting for processes");
     std::size_t k = 0;
     for (auto worker = workers.begin(); worker != workers.end(); ++k) {
       const bool ended = files[k].revents != 0 && !worker->read(lines[worker->job()]);

@@ -16,6 +16,12 @@ std::string reported_name(const Case& spec) {
   return reports_given_run(spec) ? spec.given_runs.front().name : "Plumb";
 }
 
+const ProbeSpec* tip_probe(const Case& spec) {
+  for (const ProbeSpec& probe : spec.probes)
+    if (probe.at == 1 && probe.quantity == Quantity::position) return &probe;
+  return nullptr;
+}
+
 std::string computed_by(const GivenRunSpec& spec) {
   return spec.program.empty() ? spec.file : spec.program + " (" + spec.file + ")";
 }

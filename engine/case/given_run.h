@@ -30,8 +30,7 @@ struct GivenEnding {
 };
 
 /// A run that another program computed, as its file has it: some columns of the probes over its own times.
-/// Nothing else is known of it but how it ended, where that is said: neither states nor energies nor what it
-/// cost.
+/// Nothing else is known of it but how it ended, where that is said: neither states nor energies.
 struct GivenRun {
   std::string time_column;           ///< the file's name for the time
   std::string time_unit;             ///< in the file
@@ -42,6 +41,7 @@ struct GivenRun {
   std::shared_ptr<const Case> own_case;
   std::string taken_for;           ///< what the file was taken for: "HDF5"
   std::vector<std::string> notes;  ///< how the file was read, where that is not plain
+  std::vector<GivenRun> points;    ///< the runs of GivenRunSpec::points, in their order
 
   /// The column of that name, or nullptr.
   const GivenColumn* find(std::string_view name) const;
@@ -52,6 +52,9 @@ bool reports_given_run(const Case& spec);
 
 /// What the reported run is called: "Plumb", or the name of the first given one.
 std::string reported_name(const Case& spec);
+
+/// The first probe of the position of the last end, or nullptr.
+const ProbeSpec* tip_probe(const Case& spec);
 
 /// What computed an external run, in words: "Project Chrono 8 (chrono.csv)", or "chrono.csv".
 std::string computed_by(const GivenRunSpec& spec);

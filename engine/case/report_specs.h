@@ -20,6 +20,17 @@ struct CoverageSpec {
   friend bool operator==(const CoverageSpec&, const CoverageSpec&) = default;
 };
 
+/// [[run.point]]: a run by the program of a [[run]] whose time is known, beside others with another step,
+/// tolerance or mesh.
+struct GivenPointSpec {
+  std::string label;   ///< "24 links"; default: the file's name without its ending
+  std::string file;    ///< as of a [[run]], whose other keys hold for it too
+  double seconds = 0;  ///< that it took, s, > 0
+  std::map<std::string, std::string> columns, units;  ///< as of a [[run]], which has the defaults
+
+  friend bool operator==(const GivenPointSpec&, const GivenPointSpec&) = default;
+};
+
 /// [[run]]: a trajectory that another program computed, reported on as one of Plumb's own.
 struct GivenRunSpec {
   std::string name;     ///< unique; default: the file's name without its ending
@@ -32,6 +43,14 @@ struct GivenRunSpec {
   std::map<std::string, double> tolerances;
   CoverageSpec coverage;  ///< over how much these tolerances hold
   std::string reason;     ///< why these tolerances; may be empty
+  double seconds = -1;    ///< that the run took, s, > 0; -1: not said
+  int threads = 1;        ///< that it and its points ran on
+  std::string machine;    ///< where they ran; empty, and without a yardstick: on this machine
+  double yardstick = -1;  ///< what `plumb yardstick` gave there, s, > 0; -1: not said
+  std::vector<GivenPointSpec> points;
+
+  /// Its error is shown beside its time.
+  bool is_timed() const { return seconds > 0 || !points.empty(); }
 
   friend bool operator==(const GivenRunSpec&, const GivenRunSpec&) = default;
 };

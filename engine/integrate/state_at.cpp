@@ -19,7 +19,7 @@ void hermite_in_time(const State& before, const State& after, double t, State& t
 }
 
 State state_at(const Trajectory& trajectory, double t) {
-  constexpr double same_time = 1e-9;
+  constexpr double same_output = 1e-9;
   const auto& times = trajectory.times;
   const auto output = [&](std::size_t k) { return State{times[k], trajectory.q[k], trajectory.v[k]}; };
   if (times.empty()) throw std::out_of_range("the trajectory is empty");
@@ -27,8 +27,8 @@ State state_at(const Trajectory& trajectory, double t) {
       static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), t) - times.begin());
   const std::size_t before = above == 0 ? 0 : above - 1, after = std::min(above, times.size() - 1);
   const double interval = after > before ? times[after] - times[before] : times.back();
-  if (std::abs(times[after] - t) <= same_time * interval) return output(after);
-  if (std::abs(times[before] - t) <= same_time * interval) return output(before);
+  if (std::abs(times[after] - t) <= same_output * interval) return output(after);
+  if (std::abs(times[before] - t) <= same_output * interval) return output(before);
   if (after == before || t > times[after])
     throw std::out_of_range(
         fmt::format("t = {} s is outside the trajectory, which ends at {} s", t, times.back()));

@@ -21,6 +21,7 @@ namespace plumb {
 namespace {
 
 constexpr const char* time_column = "t";
+constexpr const char* file_of_point = "the path of a CSV or HDF5 file, relative to this one";
 
 std::string base_unit(const std::string& column, const ProbeColumns& columns) {
   return column == time_column ? "s" : std::string(columns.unit(column).value());
@@ -63,6 +64,43 @@ void check_name(const TableReader& table, const std::string& name, bool given,
   const auto same = [&](const GivenRunSpec& other) { return other.name == name; };
   if (std::any_of(others.begin(), others.end(), same))
     table.refuse_value("name", "must differ from that of every other run" + end);
+}
+
+/// How fast the program was, and where.
+void read_speed(TableReader& table, GivenRunSpec& spec) {
+  constexpr int most_threads = 1 << 24;
+  const Range positive = Range::positive("s");
+  spec.seconds = table.optional_number("seconds", positive).value_or(spec.seconds);
+  spec.threads = table.whole("threads", 1, most_threads, spec.threads);
+  if (table.has("machine")) spec.machine = table.text("machine", "the name of the machine that it ran on");
+  spec.yardstick = table.optional_number("yardstick", positive).value_or(spec.yardstick);
+  if (spec.seconds > 0 || table.has("point")) return;
+  for (const char* key : {"threads", "machine", "yardstick"})
+    if (table.has(key))
+      table.refuse_value(key, "belongs to seconds or [[run.point]], of which the run has none");
+}
+
+GivenPointSpec read_point(TableReader& table, const GivenRunSpec& run, const ProbeColumns& keys) {
+  GivenPointSpec point;
+  point.file = table.text("file", file_of_point);
+  point.seconds = table.number("seconds", Range::positive("s"));
+  point.label = table.has("label") ? table.text("label", "what tells the point from others")
+                                   : std::filesystem::path(point.file).stem().string();
+  const TableReader columns = table.table("columns"), units = table.table("units");
+  table.finish();
+  point.columns = read_texts(columns, keys);
+  point.units = read_texts(units, keys);
+  point.columns.insert(run.columns.begin(), run.columns.end());
+  point.units.insert(run.units.begin(), run.units.end());
+  for (const GivenPointSpec& other : run.points)
+    if (other.label == point.label)
+      table.refuse_value("label",
+                         fmt::format("must differ from that of every other point of the run{}",
+                                     table.has("label") ? ""
+                                                        : fmt::format(" (it is \"{}\", from the file's name, "
+                                                                      "unless given)",
+                                                                      point.label)));
+  return point;
 }
 
 /// Whether a column is two names that were not taken apart: "t tip.x".
@@ -253,12 +291,23 @@ struct FilesOfRuns {
 FilesOfRuns files_of_runs(std::vector<TableReader>& tables, const NamesOfFiles& names_of) {
   FilesOfRuns all;
   for (TableReader& table : tables) {
-    const std::string file = table.text(
-        "file", "the path of a CSV or HDF5 file, of a folder of such, or a pattern, relative to this one");
-    const std::optional<std::vector<std::string>> names = names_of(file);
+    std::vector<TableReader> points = table.tables("point");
+    const std::string file =
+        table.has("file") || points.empty()
+            ? table.text("file",
+                         "the path of a CSV or HDF5 file, of a folder of such, or a pattern, relative to "
+                         "this one")
+            : points.back().text("file", file_of_point);
+    std::optional<std::vector<std::string>> names;
+    if (!file.empty()) names = names_of(file);
     if (names && names->empty()) table.refuse_value("file", "there is no file in it");
     if (names && table.has("name"))
       table.refuse_value("name", "several files cannot have one name; each has that of its file");
+    for (const char* key : {"seconds", "point"})
+      if (names && table.has(key))
+        table.refuse_value(key,
+                           "is of one run, but file stands for several; give each a [[run]] or a "
+                           "[[run.point]] of its own");
     for (const std::string& one : names.value_or(std::vector{file})) {
       if (all.files.size() == most_files)
         table.refuse_value("file", fmt::format("at most {} runs are allowed", most_files));
@@ -282,6 +331,20 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
         "file", fmt::format("at most {} tables [[run]] are allowed, found {}", most_files, tables.size()));
   const FilesOfRuns of_tables = files_of_runs(tables, names_of);
   tables = of_tables.tables;
+  const auto read_file = [&](const TableReader& table, const TableReader& columns, const TableReader& units,
+                             const GivenRunSpec& spec) {
+    FileText file = text_of(spec.file, InputKind::given_run);
+    if (!file.failure.empty()) table.refuse_value("file", "cannot be read: " + file.failure);
+    NamedText named{(std::filesystem::path(case_name).parent_path() / spec.file).string(),
+                    std::move(file.text)};
+    if (named.text.empty()) table.refuse_value("file", "is empty");
+    GivenRun run = RunReader(table, columns, units, spec, *read_given_table(named), keys).read();
+    const auto same_file = [&](const NamedText& text) { return text.name == spec.file; };
+    if (std::any_of(read.texts.begin(), read.texts.end(), same_file)) return run;
+    for (const std::string& note : run.notes) read.remarks.push_back(spec.file + ": " + note);
+    read.texts.push_back({spec.file, std::move(named.text)});
+    return run;
+  };
   for (std::size_t k = 0; k < tables.size(); ++k) {
     TableReader& table = tables[k];
     GivenRunSpec spec;
@@ -295,6 +358,8 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
                       tolerances = table.table("tolerances"), coverage = table.table("coverage");
     const bool has_coverage = table.has("coverage");
     spec.reason = table.optional_prose("reason");
+    std::vector<TableReader> points = table.tables("point");
+    read_speed(table, spec);
     table.finish();
     check_name(table, spec.name, name_given, read.specs);
     spec.columns = read_texts(columns, keys);
@@ -303,23 +368,53 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
     if (has_coverage && spec.tolerances.empty())
       table.refuse_value("coverage", "belongs to tolerances, of which the run has none");
 
-    FileText file = text_of(spec.file, InputKind::given_run);
-    if (!file.failure.empty()) table.refuse_value("file", "cannot be read: " + file.failure);
-    NamedText named{(std::filesystem::path(case_name).parent_path() / spec.file).string(),
-                    std::move(file.text)};
-    if (named.text.empty()) table.refuse_value("file", "is empty");
-    GivenRun run = RunReader(table, columns, units, spec, *read_given_table(named), keys).read();
+    std::vector<GivenRun> of_points;
+    for (TableReader& point : points) {
+      GivenPointSpec said = read_point(point, spec, keys);
+      GivenRunSpec as_run = spec;
+      as_run.file = said.file;
+      as_run.columns = said.columns;
+      as_run.units = said.units;
+      of_points.push_back(read_file(point, point.table("columns"), point.table("units"), as_run));
+      spec.points.push_back(std::move(said));
+    }
+    const bool is_last_point = !points.empty() && !table.has("file");
+    if (is_last_point) {
+      spec.columns = spec.points.back().columns;
+      spec.units = spec.points.back().units;
+    }
+    GivenRun run = is_last_point ? of_points.back() : read_file(table, columns, units, spec);
+    run.points = std::move(of_points);
     spec.coverage = read_coverage(coverage, run.times, spec.file);
-    for (const std::string& note : run.notes) read.remarks.push_back(spec.file + ": " + note);
-
-    const auto same_file = [&](const NamedText& text) { return text.name == spec.file; };
-    if (std::none_of(read.texts.begin(), read.texts.end(), same_file))
-      read.texts.push_back({spec.file, std::move(named.text)});
     read.specs.push_back(std::move(spec));
     read.runs.push_back(std::move(run));
   }
   return read;
 }
+
+namespace {
+
+/// Refuses a run with a time, and a point, without the position of the last end, which its error is of.
+void check_tip(TableReader table, const Case& spec, const GivenRunSpec& given, const GivenRun& run) {
+  const ProbeSpec* tip = tip_probe(spec);
+  if (tip == nullptr)
+    table.refuse_value(given.seconds > 0 ? "seconds" : "point",
+                       "is shown beside the error of the tip; give the case a [[probe]] with at = 1, of "
+                       "the position");
+  const auto need = [&](const TableReader& where, const GivenRun& of) {
+    for (const std::string& column : column_names(*tip))
+      if (of.find(column) == nullptr)
+        where.refuse_value("file",
+                           fmt::format("has no column {}, which the error beside its seconds needs; name "
+                                       "the file's own for it in columns",
+                                       column));
+  };
+  if (given.seconds > 0) need(table, run);
+  const std::vector<TableReader> points = table.tables("point");
+  for (std::size_t p = 0; p < points.size(); ++p) need(points[p], run.points[p]);
+}
+
+}  // namespace
 
 void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
                       const std::vector<GivenRun>& runs) {
@@ -347,6 +442,7 @@ void check_given_runs(const std::vector<TableReader>& tables, const Case& spec,
       for (const Comparison& comparison : use.compare)
         need(column_quantity(comparison.column).column, fmt::format("the reference {}", use.name), true);
     for (const auto& [column, tolerance] : given.tolerances) need(column, "its tolerance", false);
+    if (given.is_timed() && !reports_given_run(spec)) check_tip(tables[k], spec, given, runs[k]);
     const bool reported = k == 0 && reports_given_run(spec);
     for (const FigureSpec& figure : spec.figures)
       for (const std::string& column : {figure.x, figure.y})

@@ -6,8 +6,6 @@
 namespace plumb {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr unsigned ascii_end = 0x80, low_bits = 0x3F, lead_of_two = 0xC0, continuation = 0x80;
 
 std::string bytes_to_text(const std::string& bytes) {
@@ -40,31 +38,34 @@ std::string text_to_bytes(const std::string& text) {
   return bytes;
 }
 
-Json text_json(const NamedText& text) {
+nlohmann::ordered_json text_json(const NamedText& text) {
   return {{"name", text.name}, {"text", text.text}};
 }
 
-NamedText text_of(const Json& json) {
+NamedText text_of(const nlohmann::ordered_json& json) {
   return {json.at("name").get<std::string>(), json.at("text").get<std::string>()};
 }
 
 }  // namespace
 
-Json case_source_to_json(const CaseSource& source) {
-  Json json{{"file", text_json(source.file)}, {"overrides", source.overrides}, {"references", Json::array()}};
+nlohmann::ordered_json case_source_to_json(const CaseSource& source) {
+  nlohmann::ordered_json json{{"file", text_json(source.file)},
+                              {"overrides", source.overrides},
+                              {"references", nlohmann::ordered_json::array()}};
   for (const NamedText& reference : source.references) json["references"].push_back(text_json(reference));
   for (const NamedText& run : source.given_runs)
     json["runs"].push_back(text_json({run.name, bytes_to_text(run.text)}));
   return json;
 }
 
-CaseSource case_source_from_json(const Json& json) {
+CaseSource case_source_from_json(const nlohmann::ordered_json& json) {
   CaseSource source{text_of(json.contains("file") ? json.at("file") : json),
                     json.at("overrides").get<std::vector<std::string>>(),
                     {}};
-  for (const Json& reference : json.at("references")) source.references.push_back(text_of(reference));
+  for (const nlohmann::ordered_json& reference : json.at("references"))
+    source.references.push_back(text_of(reference));
   if (json.contains("runs"))
-    for (const Json& run : json.at("runs")) {
+    for (const nlohmann::ordered_json& run : json.at("runs")) {
       const NamedText text = text_of(run);
       source.given_runs.push_back({text.name, text_to_bytes(text.text)});
     }

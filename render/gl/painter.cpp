@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<int, 2> shape_components = {4, 3};
 constexpr std::size_t shape_size = 7;
 
-enum class Form { capsule, square, diamond, triangle_up, triangle_down };
+enum class Form { capsule, square, diamond, triangle_up, triangle_down, triangle_right };
 
 void add_shape(std::vector<float>& shapes, const Point& a, const Point& b, double half_width,
                double half_stroke, Form form) {
@@ -113,6 +113,9 @@ void Painter::markers(std::span<const Point> points, Marker marker, double diame
         break;
       case Marker::triangle_down:
         add_shape(shapes, p, p, radius, stroke / 2, Form::triangle_down);
+        break;
+      case Marker::triangle_right:
+        add_shape(shapes, p, p, radius, stroke / 2, Form::triangle_right);
         break;
       case Marker::cross:
         add_arms(shapes, p, 0.75 * radius * Point(1, 1), stroke);

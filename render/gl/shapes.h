@@ -22,7 +22,18 @@ struct Rect {
 };
 
 enum class Dash { solid, dashed, dotted };
-enum class Marker { none, circle, square, diamond, triangle_up, triangle_down, cross, plus, circled_cross };
+enum class Marker {
+  none,
+  circle,
+  square,
+  diamond,
+  triangle_up,
+  triangle_down,
+  triangle_right,
+  cross,
+  plus,
+  circled_cross
+};
 enum class Align { left, center, right };
 
 }  // namespace plumb

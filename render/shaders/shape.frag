@@ -26,8 +26,10 @@ void main() {
     d = distance_to_box(position - segment.xy, form.x * 0.886);
   else if (form.z < 2.5)
     d = distance_to_box(mat2(0.70710678, 0.70710678, -0.70710678, 0.70710678) * (position - segment.xy), form.x * 0.886);
-  else
-    d = distance_to_triangle((position - segment.xy) * vec2(1.0, form.z < 3.5 ? 1.0 : -1.0), form.x * 0.7);
+  else {
+    vec2 p = position - segment.xy;
+    d = distance_to_triangle(form.z < 3.5 ? p : form.z < 4.5 ? vec2(p.x, -p.y) : vec2(p.y, -p.x), form.x * 0.7);
+  }
   if (form.y > 0.0) d = abs(d) - form.y;
   coverage = clamp(0.5 - d, 0.0, 1.0);
 }

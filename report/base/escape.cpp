@@ -49,10 +49,14 @@ std::string escape_xml(std::string_view text) {
   return result;
 }
 
-std::string escape_markdown(std::string_view text) {
+std::string escape_markdown(std::string_view text, std::size_t most) {
   const std::u32string characters = characters_of(text);
+  constexpr std::size_t longest_step = 8;  // bytes, of a character and of "…"
   std::string result;
+  std::size_t cut = 0;  // a length at which there is room for "…"
   for (std::size_t i = 0; i < characters.size(); ++i) {
+    if (result.size() > most) break;
+    if (result.size() + longest_step <= most) cut = result.size();
     const char32_t c = characters[i];
     // Addresses become links without any mark.
     const bool of_address = (c == ':' && characters.substr(i + 1, 2) == U"//") ||
@@ -67,6 +71,10 @@ std::string escape_markdown(std::string_view text) {
       (result += '\\') += static_cast<char>(c);
     else
       append_utf8(result, c);
+  }
+  if (result.size() > most) {
+    result.resize(cut);
+    append_utf8(result, U'…');
   }
   return result;
 }

@@ -10,8 +10,9 @@ namespace plumb {
 std::string escape_xml(std::string_view text);
 
 /// Text for a paragraph or a cell of a table in Markdown: on one line, with nothing that Markdown or HTML
-/// would act on; what is no text is replaced as above.
-std::string escape_markdown(std::string_view text);
+/// would act on; what is no text is replaced as above. One that would have more than `most` bytes ends in "…"
+/// before.
+std::string escape_markdown(std::string_view text, std::size_t most = std::string_view::npos);
 
 /// Text as code in Markdown, on one line.
 std::string markdown_code(std::string_view text);

@@ -20,6 +20,18 @@ Json distance_json(const GivenDistance& distance) {
           {"time", distance.times},          {"difference", distance.difference}};
 }
 
+/// How fast it was, where that is said.
+void add_speed(const GivenRunSpec& spec, Json& json) {
+  if (!spec.is_timed()) return;
+  json["seconds"] = spec.seconds;
+  json["threads"] = spec.threads;
+  json["machine"] = spec.machine;
+  json["yardstick"] = spec.yardstick;
+  json["points"] = Json::array();
+  for (const GivenPointSpec& point : spec.points)
+    json["points"].push_back({{"label", point.label}, {"file", point.file}, {"seconds", point.seconds}});
+}
+
 Json given_run_json(const LoadedCase& loaded, std::size_t k) {
   const GivenRunSpec& spec = loaded.spec.given_runs[k];
   const GivenRun& given = loaded.given_runs[k];
@@ -35,6 +47,7 @@ Json given_run_json(const LoadedCase& loaded, std::size_t k) {
             {"notes", given.notes},
             {"columns",
              {{"t", {{"file_column", given.time_column}, {"file_unit", given.time_unit}, {"unit", "s"}}}}}};
+  add_speed(spec, json);
   for (const GivenColumn& column : given.columns)
     json["columns"][column.name] = {
         {"file_column", column.file_column}, {"file_unit", column.file_unit}, {"unit", column.unit}};

@@ -58,6 +58,16 @@ std::map<std::string, CurveStyle> curve_styles(const WorkPrecision& study) {
   return styles;
 }
 
+CurveStyle given_style(const WorkPrecision& study, std::size_t k) {
+  constexpr std::array<unsigned, 3> on_white{0x6A3D9A, 0x3A1B66, 0x9C6FD6};
+  constexpr std::array<unsigned, 3> on_dark{0xB794F4, 0xDDCCFB, 0x9068DC};
+  constexpr std::array dashes = {Dash::solid, Dash::dashed, Dash::dotted};
+  const GivenCurve& curve = study.given_curves[k];
+  return {Color::hex(on_white[k % on_white.size()]), Color::hex(on_dark[k % on_dark.size()]),
+          Marker::triangle_right, curve.is_elsewhere() && !study.is_scaled(curve),
+          dashes[k / on_white.size() % dashes.size()]};
+}
+
 std::string css(Color color) {
   const auto byte = [](float share) { return static_cast<unsigned>(std::lround(255 * share)); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(color.r), byte(color.g), byte(color.b));

@@ -22,6 +22,10 @@ struct CurveStyle {
 /// A style for each label of the study's curves.
 std::map<std::string, CurveStyle> curve_styles(const WorkPrecision& study);
 
+/// That of curve k of other programs, in a colour and with a marker that no method has: hollow where its
+/// times are those of another machine.
+CurveStyle given_style(const WorkPrecision& study, std::size_t k);
+
 /// "#0072b2".
 std::string css(Color color);
 

@@ -242,24 +242,38 @@ std::vector<JunitSuite> index_suites(const std::vector<IndexedReport>& reports) 
 }
 
 std::string index_summary(const Document& index) {
-  constexpr std::size_t size_limit = 60 * 1024;
-  std::string summary = fmt::format("# Plumb: {} reports\n\n{}\n\n", index.at("reports").size(),
-                                    escape_markdown(text_of(index, "headline")));
+  constexpr std::size_t for_the_end = 3 * 1024, longest_text = 4000, shortest_row = 120;
+  const Document& reports = index.at("reports");
+  std::string summary = fmt::format("# Plumb: {} reports\n\n{}\n\n", reports.size(),
+                                    escape_markdown(text_of(index, "headline"), longest_text));
   summary += "| report | outcome | criteria | not met | not run | |\n| --- | --- | --- | --- | --- | --- |\n";
-  std::size_t left_out = 0;
-  for (const Document& one : index.at("reports")) {
-    const std::string row =
-        fmt::format("| {} | {} | {} | {} | {} | {} |\n", escape_markdown(text_of(one, "folder")),
-                    is_bad(one) ? fmt::format("**{}**", escape_markdown(text_of(one, "outcome")))
-                                : escape_markdown(text_of(one, rank(one) > 3 ? "state" : "outcome")),
-                    one.at("criteria").get<long>(), one.at("failed").get<long>(),
-                    one.at("not_run").get<long>(), escape_markdown(text_of(one, "headline")));
-    if (summary.size() + row.size() > size_limit)
-      ++left_out;
-    else
-      summary += row;
+  const std::size_t room = longest_summary - for_the_end - summary.size();
+  const auto row_within = [](const Document& one, std::size_t most) {
+    std::string row = fmt::format(
+        "| {} | {} | {} | {} | {} | ", escape_markdown(text_of(one, "folder"), longest_text),
+        is_bad(one) ? fmt::format("**{}**", escape_markdown(text_of(one, "outcome")))
+                    : escape_markdown(text_of(one, rank(one) > 3 ? "state" : "outcome")),
+        one.at("criteria").get<long>(), one.at("failed").get<long>(), one.at("not_run").get<long>());
+    constexpr std::string_view end = " |\n";
+    const std::size_t left = most - std::min(most, row.size() + end.size());
+    return row.append(escape_markdown(text_of(one, "headline"), left)).append(end);
+  };
+  // Of many reports each says less, rather than some nothing at all.
+  std::size_t whole = 0;
+  for (const Document& one : reports) whole += row_within(one, longest_text).size();
+  const std::size_t most =
+      whole <= room ? longest_text : std::max(shortest_row, room / std::max<std::size_t>(1, reports.size()));
+  std::string rows;
+  std::size_t shown = 0;
+  for (const Document& one : reports) {  // what failed first
+    const std::string row = row_within(one, most);
+    if (rows.size() + row.size() > room) break;
+    rows += row;
+    ++shown;
   }
-  if (left_out > 0) summary += fmt::format("\n{} more reports are in results.json.\n", left_out);
+  summary += rows;
+  if (shown < reports.size())
+    summary += fmt::format("\n{} more reports are in results.json.\n", reports.size() - shown);
   for (const Document& one : index.at("statistics"))
     if (one.at("spread").is_number())
       summary += fmt::format("\n{}: bias {:.4g}, spread {:.2g} over {} comparisons.\n",

@@ -5,6 +5,7 @@
 #include "report/base/document_value.h"
 #include "report/figure/number_markup.h"
 #include "report/page/page_template.h"
+#include "report/verdict/results.h"
 
 namespace plumb {
 
@@ -46,6 +47,29 @@ data distance_rows(const Document& given) {
   return rows;
 }
 
+/// The times that the case states for a run and its points; empty where it states none.
+std::string speed_in_words(const Document& given) {
+  if (!given.contains("threads")) return "";
+  std::string times;
+  const auto add = [&](const Document& seconds, const std::string& of) {
+    times += fmt::format("{}{} s{}", times.empty() ? "" : ", ", four_digits(seconds), of);
+  };
+  if (given.at("seconds").get<double>() > 0) add(given.at("seconds"), "");
+  for (const Document& point : given.at("points"))
+    add(point.at("seconds"), fmt::format(" ({})", text_of(point, "label")));
+  const std::string machine = text_of(given, "machine");
+  const bool has_yardstick = given.at("yardstick").get<double>() > 0;
+  return fmt::format("Time that the case states, on {} of {}: {}.{}",
+                     counted(given.at("threads").get<long>(), "thread", "threads"),
+                     !machine.empty() ? machine
+                     : has_yardstick  ? "another machine"
+                                      : "this machine",
+                     times,
+                     has_yardstick ? fmt::format(" The yardstick (plumb yardstick) takes {} s there.",
+                                                 four_digits(given.at("yardstick")))
+                                   : "");
+}
+
 }  // namespace
 
 std::string given_runs_html(const Document& document) {
@@ -62,6 +86,7 @@ std::string given_runs_html(const Document& document) {
     run["last_time"] = four_digits(given.at("last_time"));
     // Documents of earlier versions do not have it.
     run["taken_for"] = given.contains("taken_for") ? text_of(given, "taken_for") : "";
+    run["speed"] = speed_in_words(given);
     run["interpolated"] = text_of(given, "interpolated");
     data notes{data::type::list};
     for (const Document& note : given.at("notes")) notes.push_back(data{"note", note.get<std::string>()});

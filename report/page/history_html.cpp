@@ -79,7 +79,7 @@ std::string figure_of(const Trend& trend, const Document& runs, const std::strin
                      escape_xml(caption));
 }
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Seconds of the time loop where they were taken on the processor of the last run.
 Trend times_of(const Document& runs) {
@@ -87,8 +87,8 @@ Trend times_of(const Document& runs) {
   for (const Document& run : runs) {
     const double seconds = number_of(run.at("solve_seconds"));
     const bool alike = run.at("processor") == runs.back().at("processor");
-    trend.values.push_back(alike && seconds > 0 ? seconds : none);
-    trend.limits.push_back(none);
+    trend.values.push_back(alike && seconds > 0 ? seconds : missing);
+    trend.limits.push_back(missing);
     trend.classes.emplace_back("time");
   }
   return trend;
@@ -100,7 +100,7 @@ bool any_finite(const Trend& trend) {
 
 /// A value of a criterion that was not run is none.
 double found(const Document& criterion) {
-  return criterion.at("status") == "not run" ? none : number_of(criterion.at("value"));
+  return criterion.at("status") == "not run" ? missing : number_of(criterion.at("value"));
 }
 
 std::vector<Trend> criteria_of(const Document& runs) {
@@ -112,8 +112,8 @@ std::vector<Trend> criteria_of(const Document& runs) {
       for (const Document& criterion : run.at("criteria"))
         if (criterion.at("name") == last.at("name") && criterion.at("unit") == last.at("unit"))
           own = &criterion;
-      trend.values.push_back(own ? found(*own) : none);
-      trend.limits.push_back(own ? number_of(own->at("limit")) : none);
+      trend.values.push_back(own ? found(*own) : missing);
+      trend.limits.push_back(own ? number_of(own->at("limit")) : missing);
       trend.classes.push_back(own ? class_of_status(text_of(*own, "status")) : "");
     }
     if (any_finite(trend)) trends.push_back(std::move(trend));
@@ -125,7 +125,7 @@ std::vector<Trend> criteria_of(const Document& runs) {
 Trend worst_of(const Document& runs) {
   Trend trend{"Greatest share of what is allowed", "of allowed", {}, {}, {}};
   for (const Document& run : runs) {
-    double worst = none;
+    double worst = missing;
     std::string status;
     for (const Document& criterion : run.at("criteria")) {
       const double limit = number_of(criterion.at("limit"));

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Where the cases lie, relative to the program's own folder: installed (bin beside share), and in a build.
-constexpr std::array<const char*, 2> folders{"../share/plumb/cases", "share/plumb/cases"};
+constexpr std::array<const char*, 2> case_folders{"../share/plumb/cases", "share/plumb/cases"};
 constexpr const char* extension = ".toml";
 
 /// Empty where there is none.
@@ -26,12 +26,12 @@ fs::path cases_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
-  for (const char* folder : folders)
+  for (const char* folder : case_folders)
     if (const fs::path found = fs::canonical(program.parent_path() / folder, error); !error) return found;
   return {};
 }
 
-/// References, which lie in folders of their own, are no cases.
+/// References, which lie in case_folders of their own, are no cases.
 bool is_case(const fs::path& relative) {
   return relative.extension() == extension && relative.parent_path().filename() != "references";
 }

@@ -25,7 +25,10 @@ std::vector<std::string> files_read(const LoadedCase& loaded, const Options& opt
   std::vector<std::string> files{options.input};
   const fs::path folder = fs::path(options.input).parent_path();
   for (const ReferenceUse& use : loaded.spec.references) files.push_back((folder / use.file).string());
-  for (const GivenRunSpec& given : loaded.spec.given_runs) files.push_back((folder / given.file).string());
+  for (const GivenRunSpec& given : loaded.spec.given_runs) {
+    files.push_back((folder / given.file).string());
+    for (const GivenPointSpec& point : given.points) files.push_back((folder / point.file).string());
+  }
   if (!options.baseline.empty()) files.push_back(file_in(options.baseline, "results.json"));
   return files;
 }

@@ -5,8 +5,9 @@
 namespace plumb {
 
 // In the order of the help.
-#define PLUMB_VERBS(verb) \
-  verb(run) verb(solve) verb(render) verb(report) verb(study) verb(check) verb(diff) verb(export) verb(doctor)
+#define PLUMB_VERBS(verb)                                                                         \
+  verb(run) verb(solve) verb(render) verb(report) verb(study) verb(check) verb(diff) verb(export) \
+      verb(doctor) verb(yardstick)
 
 #define PLUMB_DECLARE(name) Verb name##_verb();
 PLUMB_VERBS(PLUMB_DECLARE)

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 Study quick_study(const LoadedCase& loaded, Journal& journal, Console& console) {
   Runner runner(journal,
                 [&](const std::string& part, double share) { console.progress("study: " + part, share); });
-  Study study{loaded, run_work_precision(loaded.spec, true, runner)};
+  Study study{loaded, run_work_precision(loaded.spec, true, runner, loaded.given_runs)};
   console.end_progress();
   return study;
 }

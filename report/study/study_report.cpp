@@ -45,14 +45,15 @@ Document document_of(const StudyReport& report) {
 }
 
 std::string summary_of(const StudyReport& report) {
-  constexpr std::size_t most = 63 * 1024;
+  constexpr std::size_t longest_text = 4000;
   std::string head = fmt::format("# {}: {}\n\n{}\n\n", escape_markdown(report.loaded.spec.title),
-                                 escape_markdown(report.subject), escape_markdown(report.headline));
+                                 escape_markdown(report.subject, longest_text),
+                                 escape_markdown(report.headline, longest_text));
   for (const std::string* more : {&report.details, &report.counts})
-    if (!more->empty()) head += escape_markdown(*more) + "\n\n";
-  // The verdicts, of bounded length themselves, go first where there is no room for all.
-  const std::string verdicts = verdict_table(report.verdicts);
-  const auto room = [&](std::size_t taken) { return most - std::min(most, taken); };
+    if (!more->empty()) head += escape_markdown(*more, longest_text) + "\n\n";
+  const auto room = [&](std::size_t taken) { return longest_summary - std::min(longest_summary, taken); };
+  // The verdicts go first where there is no room for all.
+  const std::string verdicts = verdict_table(report.verdicts, room(head.size()));
   std::string text = head;
   if (!report.before.empty())
     text += lines_within(report.before, room(head.size() + verdicts.size() + 1)) + "\n";

@@ -62,7 +62,11 @@ std::string drift_in_words(const Trajectory& trajectory);
 /// The report in one sentence: how many criteria are met and the greatest distance to each reference.
 std::string headline(const Results& results);
 
-/// The verdicts as a table in Markdown, failures first, of bounded length.
-std::string verdict_table(const std::vector<Verdict>& verdicts);
+/// The longest summary.md, bytes, below the 64 KiB that a page of a CI takes.
+inline constexpr std::size_t longest_summary = 63 * 1024;
+
+/// The verdicts as a table in Markdown, failures first, of at most some `room` bytes: where that is too
+/// little the last are left out, and counted.
+std::string verdict_table(const std::vector<Verdict>& verdicts, std::size_t room);
 
 }  // namespace plumb

@@ -20,7 +20,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 /// The message of the InputError or UsageError with which the case is refused; "accepted" where it is not.
 std::string refusal(const CaseSource& source);
 
-/// True where the message is as expected; "…" in the middle of what is expected stands for anything.
+/// True where the message is as expected; each "…" in what is expected stands for anything.
 bool matches(const std::string& message, const std::string& expected);
 
 }  // namespace plumb

@@ -6,10 +6,9 @@
 #include "engine/study/study_record.h"
 
 namespace plumb {
+namespace {
 
 using Json = nlohmann::ordered_json;
-
-namespace {
 
 // Version 1 had null for all that is not finite, and is no longer read.
 constexpr int economy_study_version = 2;

@@ -11,13 +11,18 @@
 namespace plumb {
 namespace {
 
-double smallest(const WorkPrecision& study, ErrorNorms WorkPrecisionRun::*error, int elements = 0) {
+double smallest(const WorkPrecision& study, ErrorNorms WorkPrecisionRun::*error,
+                ErrorNorms GivenPoint::*given, int elements = 0) {
   double least = -1;
   for (const WorkPrecisionRun& run : study.runs) {
     const double e = (run.*error).tip_max;
     if (run.completed() && e >= 0 && (elements == 0 || run.elements == elements) && (least < 0 || e < least))
       least = e;
   }
+  const bool same_mesh = elements == 0 || elements == study.fixed_elements;
+  for (const GivenCurve& curve : study.given_curves)
+    for (const GivenPoint& point : curve.points)
+      if (const double e = (point.*given).tip_max; same_mesh && e >= 0 && (least < 0 || e < least)) least = e;
   return least;
 }
 
@@ -88,14 +93,12 @@ void find_floors(WorkPrecision& study) {
 }  // namespace
 
 void evaluate(WorkPrecision& study) {
-  const auto has = [&](bool (*what)(const WorkPrecisionRun&)) {
-    return std::any_of(study.runs.begin(), study.runs.end(), what);
-  };
-  study.timed = has([](const WorkPrecisionRun& run) { return !run.seconds.empty(); }) ||
-                !has([](const WorkPrecisionRun& run) { return run.completed(); });
+  study.timed = study.has_times();
   for (CertifiedReference& reference : study.mesh_references)
-    certify(reference, smallest(study, &WorkPrecisionRun::time_error, reference.elements));
-  certify(study.converged_reference, smallest(study, &WorkPrecisionRun::total_error),
+    certify(reference,
+            smallest(study, &WorkPrecisionRun::time_error, &GivenPoint::time_error, reference.elements));
+  certify(study.converged_reference,
+          smallest(study, &WorkPrecisionRun::total_error, &GivenPoint::total_error),
           study.converged_mesh_error);
   for (MethodCurve& curve : study.curves) fit_order(study, curve);
   find_floors(study);

@@ -12,8 +12,10 @@
 #include "engine/study/reference/grid_convergence.h"
 #include "engine/study/reference/method_curves.h"
 #include "engine/study/slowdown.h"
+#include "engine/study/work_precision/given_curves.h"
 #include "engine/study/work_precision/timing.h"
 #include "engine/study/work_precision/work_precision_members.h"
+#include "engine/study/yardstick.h"
 
 namespace plumb {
 namespace {
@@ -45,8 +47,9 @@ struct CurveTask {
 
 class Computation {
  public:
-  Computation(const Case& spec, bool quick, Runner& runner)
+  Computation(const Case& spec, bool quick, Runner& runner, std::span<const GivenRun> given)
       : spec_(spec),
+        given_(given),
         what_(work_precision_of(spec)),
         extent_(quick ? what_.quick : what_.full),
         quick_(quick),
@@ -59,10 +62,12 @@ class Computation {
     make_references();
     slowdown_ = slowdown_in_company(on_mesh(fixed_elements()), runner_);
     make_curves();
+    const double own_yardstick = take_yardstick();
     runner_.conclude();
     WorkPrecision study = collect();
+    study.yardstick = own_yardstick;
     // Times of unlike machines tell nothing of methods.
-    if (!runner_.alike({"errors"}))
+    if (!runner_.alike({"errors", "yardstick"}))
       for (WorkPrecisionRun& run : study.runs) run.seconds.clear();
     evaluate(study);
     study.provenance = runner_.provenance();
@@ -247,9 +252,18 @@ class Computation {
     for (std::size_t m = 0; m + 1 < meshes_.size(); ++m)
       study.mesh_references.push_back(meshes_[m].reference.certificate);
     study.converged_reference = meshes_.back().reference.certificate;
+    study.given_curves =
+        given_curves(spec_, given_, reference_of(fixed_elements()), meshes_.back().reference.trajectory);
     study.mesh = mesh_convergence();
     if (study.mesh) study.converged_mesh_error = study.mesh->extrapolated_error;
     return study;
+  }
+
+  /// Without outputs where the mesh is not among those of the study.
+  Trajectory reference_of(int elements) const {
+    for (std::size_t m = 0; m + 1 < meshes_.size(); ++m)
+      if (meshes_[m].elements == elements) return meshes_[m].reference.trajectory;
+    return {};
   }
 
   std::optional<MeshConvergence> mesh_convergence() const {
@@ -293,7 +307,18 @@ class Computation {
       run.seconds.push_back(processor_time_of(run));
   }
 
+  /// Where a curve of another machine has one to be held against, s; else -1.
+  double take_yardstick() {
+    std::vector<StudyPoint<double>> points;
+    if (std::any_of(spec_.given_runs.begin(), spec_.given_runs.end(),
+                    [](const GivenRunSpec& run) { return run.yardstick > 0; }))
+      points.push_back({fmt::format("yardstick {}", yardstick_version), [] { return yardstick().seconds; }});
+    const std::vector<double> seconds = runner_.run({"yardstick", Company::alone}, points);
+    return seconds.empty() ? -1 : seconds.front();
+  }
+
   Case spec_;
+  std::span<const GivenRun> given_;
   WorkPrecisionSpec what_;
   StudyExtent extent_;
   bool quick_;
@@ -306,8 +331,9 @@ class Computation {
 
 }  // namespace
 
-WorkPrecision run_work_precision(const Case& spec, bool quick, Runner& runner) {
-  return Computation(spec, quick, runner).make();
+WorkPrecision run_work_precision(const Case& spec, bool quick, Runner& runner,
+                                 std::span<const GivenRun> given) {
+  return Computation(spec, quick, runner, given).make();
 }
 
 }  // namespace plumb

@@ -84,6 +84,29 @@ struct CheapestRun {
   std::string in_words;  ///< "below 1e-4 m: rk4 with 4 elements, step 5e-4 s, 0.41 ms"
 };
 
+/// A run of another program in a study: the time that the case states for it, and the errors that its file
+/// has.
+struct GivenPoint {
+  std::string label;  ///< "24 links"
+  std::string file;
+  double seconds = 0;      ///< s, where it ran
+  ErrorNorms time_error;   ///< against the mesh of the case integrated exactly, of the tip alone
+  ErrorNorms total_error;  ///< against the mesh-converged solution, of the tip alone
+  std::string why_not;     ///< it has no error; empty: it has, where there is a reference
+};
+
+/// The points of a [[run]] with a time, or with several.
+struct GivenCurve {
+  std::string name;     ///< of the [[run]]
+  std::string program;  ///< may be empty
+  int threads = 1;
+  std::string machine;    ///< empty, and without a yardstick: this one
+  double yardstick = -1;  ///< s, there; -1: not stated
+  std::vector<GivenPoint> points;
+
+  bool is_elsewhere() const { return !machine.empty() || yardstick > 0; }
+};
+
 /// A work-precision study of one case. Two questions are kept apart: how well time is integrated on the mesh
 /// of the case (`time_front`), and how close to the continuum method and mesh together come (`total_front`).
 struct WorkPrecision {
@@ -109,11 +132,20 @@ struct WorkPrecision {
   std::vector<CheapestRun> total_cheapest;
   std::vector<CommonFloor> common_floors;
   std::optional<MeshConvergence> mesh;
+  std::vector<GivenCurve> given_curves;  ///< of other programs; fronts and cheapest runs are without them
+  double yardstick = -1;                 ///< here, s; -1: not measured, as no curve asks for it
   Provenance provenance;
 
+  /// Whether any run has a time, or none completed: what `timed` is of a finished study.
+  bool has_times() const;
   /// What a run cost: seconds of the time loop where the study is timed, and force evaluations otherwise; -1:
   /// not known.
   double work(const WorkPrecisionRun& run) const;
+  /// The same of a point of another program, whose seconds are multiplied by the ratio of the yardsticks here
+  /// and there where both are known; -1 where the study is not timed.
+  double work(const GivenCurve& curve, const GivenPoint& point) const;
+  /// Whether the times of a curve are scaled to this machine.
+  bool is_scaled(const GivenCurve& curve) const { return curve.yardstick > 0 && yardstick > 0; }
   /// "0.41 ms", "1.2 s"; "1520 force evaluations".
   std::string work_in_words(double work) const;
   /// "time loop [s]", "force evaluations"

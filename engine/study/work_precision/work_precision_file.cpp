@@ -16,11 +16,13 @@
 #include "engine/run/stored_parts.h"
 #include "engine/study/study_record.h"
 #include "engine/study/work_precision/run_work_precision.h"
+#include "engine/study/work_precision/work_precision_members.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::string_view format_name = "plumb-study";
+constexpr const char* given_path = "given_curves";  // of other programs, as JSON
 
 struct StoredNorm {
   const char* name;
@@ -321,6 +323,8 @@ std::string encode_study(const Study& study) {
   write_mesh(result.mesh.value_or(MeshConvergence{}), file);
   integers(file, "fronts/time", result.time_front, [](std::size_t k) { return k; });
   integers(file, "fronts/total", result.total_front, [](std::size_t k) { return k; });
+  texts(file, given_path, result.given_curves, [](const GivenCurve& c) { return encode(c).dump(); });
+  file.number("yardstick", result.yardstick, "s");
   return with_check_sum(file.bytes());
 }
 
@@ -344,6 +348,14 @@ Study read_study(const std::string& path) {
     result.curves = read_curves(file, result.runs.size());
     read_references(file, result);
     result.mesh = read_mesh(file);
+    if (file.has(given_path)) {  // those of earlier versions have none
+      for (const std::string& curve : file.texts(given_path))
+        result.given_curves.push_back(decoded<GivenCurve>(nlohmann::ordered_json::parse(curve)));
+      for (const GivenCurve& curve : result.given_curves)
+        for (const GivenPoint& point : curve.points)
+          if (!(point.seconds > 0) || !std::isfinite(point.seconds)) inconsistent(given_path);
+      result.yardstick = file.number("yardstick");
+    }
     evaluate(result);
     return study;
   } catch (const Interrupted&) {

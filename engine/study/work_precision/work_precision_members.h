@@ -6,7 +6,7 @@
 #include "engine/study/reference/certified_reference.h"
 #include "engine/study/work_precision/work_precision.h"
 
-/// What the journal keeps of a work-precision study.
+/// What the journal, and of curves of other programs the study file, keeps of a work-precision study.
 namespace plumb {
 
 template <class Archive>
@@ -28,6 +28,26 @@ void members(Archive& a, WorkPrecisionRun& run) {
   a("foreseen_seconds", run.foreseen_seconds);
   a("time_error", run.time_error);
   a("total_error", run.total_error);
+}
+
+template <class Archive>
+void members(Archive& a, GivenPoint& point) {
+  a("label", point.label);
+  a("file", point.file);
+  a("seconds", point.seconds);
+  a("why_not", point.why_not);
+  a("time_error", point.time_error);
+  a("total_error", point.total_error);
+}
+
+template <class Archive>
+void members(Archive& a, GivenCurve& curve) {
+  a("name", curve.name);
+  a("program", curve.program);
+  a("threads", curve.threads);
+  a("machine", curve.machine);
+  a("yardstick", curve.yardstick);
+  a("points", curve.points);
 }
 
 /// Without its trajectory, and as nothing has been held against it yet. Without a method where none

@@ -12,7 +12,7 @@ namespace {
 
 using kainjow::mustache::data;
 
-constexpr std::size_t most_listed = 200;
+constexpr std::size_t most_troubles = 200;
 
 data outcome_heads(const Sweep& sweep) {
   data heads{data::type::list};
@@ -73,7 +73,7 @@ data trouble_rows(const Sweep& sweep, std::size_t& troubles) {
   data rows{data::type::list};
   for (const SweepRun& run : sweep.runs) {
     const std::string trouble = trouble_of(run, sweep.spec.tolerance);
-    if (trouble.empty() || troubles++ >= most_listed) continue;
+    if (trouble.empty() || troubles++ >= most_troubles) continue;
     data row;
     row["number"] = std::to_string(run.number);
     row["trouble"] = trouble;
@@ -98,8 +98,8 @@ StudySection shown_sweep(const Sweep& sweep, const std::vector<Picture>& picture
   values["troubles"] = trouble_rows(sweep, troubles);
   values["has_troubles"] = troubles > 0;
   values["trouble_count"] = counted(static_cast<long>(troubles), "run", "runs");
-  values["more_troubles"] = troubles > most_listed
-                                ? fmt::format("{} more are in results.json.", troubles - most_listed)
+  values["more_troubles"] = troubles > most_troubles
+                                ? fmt::format("{} more are in results.json.", troubles - most_troubles)
                                 : std::string();
   values.set("figures", picture_rows(pictures));
   return {{{"outcomes", "Outcomes"}, {"wrong", "What is wrong"}, {"examples", "Examples"}},

@@ -33,11 +33,12 @@ double handicap(const WorkPrecision& study, const StudyLine& line, const std::ve
   return least;
 }
 
-}  // namespace
-
-const ErrorNorms& errors_of(const WorkPrecisionRun& run, StudyQuestion question) {
-  return question == StudyQuestion::time ? run.time_error : run.total_error;
+RunFate fate_of_error(const WorkPrecision& study, double error) {
+  if (!std::isfinite(error) || error < 0) return RunFate::failed;
+  return study.length > 0 && error > wrong_beyond * study.length ? RunFate::wrong : RunFate::good;
 }
+
+}  // namespace
 
 const std::vector<std::size_t>& front_of(const WorkPrecision& study, StudyQuestion question) {
   return question == StudyQuestion::time ? study.time_front : study.total_front;
@@ -52,9 +53,35 @@ const CertifiedReference* reference_of(const WorkPrecision& study, StudyQuestion
 }
 
 RunFate fate_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question) {
-  const double error = errors_of(run, question).tip_max;
-  if (!run.completed() || !std::isfinite(error) || error < 0) return RunFate::failed;
-  return study.length > 0 && error > wrong_beyond * study.length ? RunFate::wrong : RunFate::good;
+  return run.completed() ? fate_of_error(study, errors_of(run, question).tip_max) : RunFate::failed;
+}
+
+RunFate fate_of(const WorkPrecision& study, const GivenPoint& point, StudyQuestion question) {
+  return fate_of_error(study, errors_of(point, question).tip_max);
+}
+
+std::string machine_in_words(const GivenCurve& curve) {
+  if (!curve.machine.empty()) return curve.machine;
+  return curve.is_elsewhere() ? "another machine" : "this machine";
+}
+
+std::string label_of(const WorkPrecision& study, const GivenCurve& curve) {
+  constexpr std::size_t longest = 40;
+  std::string program = curve.program;
+  if (program.size() > longest) {
+    // To the end of a word.
+    const std::size_t end = program.find_last_of(' ', longest);
+    program = program.substr(0, end == program.npos ? longest : end);
+    while (!program.empty() && (program.back() & 0xc0) == 0x80) program.pop_back();
+    program += "…";
+  }
+  std::string label = curve.name + (program.empty() ? " (external run)" : ": " + program);
+  if (curve.threads > 1) label += fmt::format(", {} threads", curve.threads);
+  if (study.is_scaled(curve))
+    label += ", scaled from another machine";
+  else if (curve.is_elsewhere())
+    label += ", another machine";
+  return label;
 }
 
 std::string trouble_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question) {

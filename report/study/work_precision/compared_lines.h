@@ -13,7 +13,10 @@ enum class StudyQuestion {
   total,  ///< how close to the continuum method and mesh together come
 };
 
-const ErrorNorms& errors_of(const WorkPrecisionRun& run, StudyQuestion question);
+/// Of a run, or of a point of another program.
+const ErrorNorms& errors_of(const auto& run, StudyQuestion question) {
+  return question == StudyQuestion::time ? run.time_error : run.total_error;
+}
 /// The Pareto front of a question, indices into WorkPrecision::runs.
 const std::vector<std::size_t>& front_of(const WorkPrecision& study, StudyQuestion question);
 /// The reference that a question's errors are held against; nullptr: there is none.
@@ -26,6 +29,13 @@ enum class RunFate {
   failed,  ///< did not complete, or its error is not known
 };
 RunFate fate_of(const WorkPrecision& study, const WorkPrecisionRun& run, StudyQuestion question);
+RunFate fate_of(const WorkPrecision& study, const GivenPoint& point, StudyQuestion question);
+
+/// What a legend calls the curve of another program: its name, what computed it and on how many threads, and
+/// that it ran on another machine or is scaled from one. No method is called so.
+std::string label_of(const WorkPrecision& study, const GivenCurve& curve);
+/// "this machine", "laptop", "another machine".
+std::string machine_in_words(const GivenCurve& curve);
 
 /// What a run says for itself in a table: "unstable: …", "stable but wrong: 0.51 m off"; empty for a good
 /// one.

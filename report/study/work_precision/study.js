@@ -36,7 +36,8 @@
 
   // ---- what is shown of a run
 
-  const work = (run, measure) => (measure === "seconds" ? least(run.seconds) : run.counters[measure]);
+  // What is not known of a run of another program is undefined.
+  const work = (run, measure) => (measure === "seconds" ? least(run.seconds) : run.counters?.[measure]);
   const error = (run, chart) => run[chart.question][chart.norm];
   const fate = (run, question) => {
     const tip = run[question]["tip-max"];
@@ -52,7 +53,8 @@
       if (!lines.has(curve.label)) lines.set(curve.label, { ...curve, runs: [] });
       lines.get(curve.label).runs.push(...curve.runs.map((k) => ({ ...study.runs[k], label: curve.label })));
     }
-    return [...lines.values()];
+    const given = study.given.map((curve) => ({ ...curve, family: "other programs", given: curve, runs: curve.runs.map((run) => ({ ...run, label: curve.label, given: curve })) }));
+    return [...lines.values(), ...given];
   };
 
   // Those that no other beats; the first of equals.
@@ -72,12 +74,13 @@
     return { ink: of("--ink"), soft: of("--soft"), line: of("--line"), paper: of("--paper"), front: of("--front"), band: of("--band") };
   };
   const colorOf = (line) => (dark.matches ? line.style.dark : line.style.color);
-  const pointStyles = { circle: "circle", square: "rect", diamond: "rectRot", "triangle-up": "triangle", "triangle-down": "triangle" };
-  const pointSizes = { circle: 4.5, square: 5.5, diamond: 6, "triangle-up": 6, "triangle-down": 6 };
+  const pointStyles = { circle: "circle", square: "rect", diamond: "rectRot", "triangle-up": "triangle", "triangle-down": "triangle", "triangle-right": "triangle" };
+  const pointSizes = { circle: 4.5, square: 5.5, diamond: 6, "triangle-up": 6, "triangle-down": 6, "triangle-right": 7 };
+  const rotations = { "triangle-down": 180, "triangle-right": 90 };
   const dashes = { solid: [], dashed: [7, 4], dotted: [2, 3] };
   const looks = (line, scale = 1) => ({
     pointStyle: pointStyles[line.style.marker],
-    rotation: line.style.marker === "triangle-down" ? 180 : 0,
+    rotation: rotations[line.style.marker] || 0,
     radius: scale * pointSizes[line.style.marker],
     hoverRadius: scale * pointSizes[line.style.marker] + 2,
     pointBackgroundColor: line.style.open ? theme().paper : colorOf(line),
@@ -112,6 +115,7 @@
       diamond: "M17 1.5l5.5 5.5l-5.5 5.5l-5.5-5.5z",
       "triangle-up": "M17 1.5l5.2 9.5h-10.4z",
       "triangle-down": "M17 12.5l5.2-9.5h-10.4z",
+      "triangle-right": "M22.5 7l-9.5 5.2v-10.4z",
     };
     add("path", { d: forms[line.style.marker], fill: line.style.open ? theme().paper : color, stroke: color, "stroke-width": 1.5 });
     return svg;
@@ -127,7 +131,7 @@
       this.work = works[0].id;
       this.lines = linesOf(this.question);
       this.shown = new Set(study.chosen[this.question]);
-      this.meshes = new Set(this.lines.flatMap((line) => line.runs.map((run) => run.elements)));
+      this.meshes = new Set(this.lines.flatMap((line) => (line.given ? [] : line.runs.map((run) => run.elements))));
       this.allMeshes = [...this.meshes].sort((a, b) => a - b);
       this.controls = figure.querySelector(".chart-controls");
       this.box = figure.querySelector(".chart-box");
@@ -215,6 +219,12 @@
 
     // -- data
 
+    // The runs of a line of which what the axes show is known, or which failed; of meshes that are asked for.
+    runsOf(line) {
+      if (line.given) return line.runs.filter((run) => this.work === "seconds" && (run.outcome !== "completed" || run[this.question][this.norm] !== null));
+      return line.runs.filter((run) => this.meshes.has(run.elements));
+    }
+
     floor() {
       const floor = study.floor[this.question];
       return floor && this.norm !== "energy" ? floor : null;
@@ -223,7 +233,7 @@
     setRanges() {
       const xs = [], ys = [];
       for (const line of this.lines)
-        for (const run of line.runs) {
+        for (const run of line.given ? this.runsOf(line) : line.runs) {
           if (!this.shown.has(line.label) || fate(run, this.question) === "failed") continue;
           const x = work(run, this.work), y = error(run, this);
           if (x > 0) xs.push(x);
@@ -255,11 +265,11 @@
       const colors = theme();
       for (const line of this.lines) {
         if (!this.shown.has(line.label)) continue;
-        const points = line.runs.filter((run) => this.meshes.has(run.elements)).map((run) => this.place(run));
+        const points = this.runsOf(line).map((run) => this.place(run));
         const fine = points.filter((p) => p.state === "good" && work(p.run, this.work) > 0);
-        good.push(...fine);
+        if (!line.given) good.push(...fine);
         // Over several meshes a method is as good as its own front; what lies behind stays as small points.
-        const best = this.question === "time" ? fine : paretoFront(fine, 0);
+        const best = this.question === "time" || line.given ? fine : paretoFront(fine, 0);
         sets.push({ data: best, showLine: true, borderDash: dashes[line.style.dash], order: 3, ...looks(line) });
         const rest = fine.filter((p) => !best.includes(p));
         if (rest.length) sets.push({ data: rest, order: 4, ...looks(line, 0.55), pointBorderColor: colorOf(line) + "88", pointBackgroundColor: "transparent" });
@@ -372,6 +382,17 @@
       const state = fate(run, this.question);
       const rows = [];
       const row = (name, value) => rows.push(make("dt", { textContent: name }), make("dd", { textContent: value }));
+      const known = (values) => study.norms.filter((n) => values[n.id] !== null).map((n) => `${n.name} ${number(values[n.id])}${n.unit === "m" ? " m" : ""}`).join("; ") || "not known";
+      if (run.given) {
+        const { program, threads, machine, scaled } = run.given;
+        row("run", `${run.setting}, of ${run.file}`);
+        row("program", program);
+        if (run.message) row("no error", run.message);
+        row("as time error", known(run.time));
+        row("total error", known(run.total));
+        row("time", `${seconds(run.stated_seconds)} on ${machine}, ${threads} ${threads === 1 ? "thread" : "threads"}${scaled ? `; ${seconds(run.seconds[0])} here, by the yardstick` : ""}`);
+        return [make("strong", { textContent: run.label }), make("dl", {}, ...rows)];
+      }
       const parameters = Object.entries(run.parameters).map(([name, value]) => `${name} ${number(value)}`);
       row("run", [`${run.elements} ${run.elements === 1 ? "element" : "elements"}`, run.setting, ...parameters].filter(Boolean).join(", "));
       if (state === "failed") row("outcome", run.outcome === "completed" ? "completed; not compared with any reference" : run.message || run.outcome);

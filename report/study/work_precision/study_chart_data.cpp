@@ -36,6 +36,8 @@ std::string word(Marker marker) {
       return "triangle-up";
     case Marker::triangle_down:
       return "triangle-down";
+    case Marker::triangle_right:
+      return "triangle-right";
     default:
       return "circle";
   }
@@ -81,6 +83,26 @@ Json run_json(const WorkPrecisionRun& run) {
   return json;
 }
 
+Json given_json(const WorkPrecision& study, const GivenCurve& curve, const Json& style) {
+  Json json{{"label", label_of(study, curve)},
+            {"program", curve.program.empty() ? curve.name : curve.program},
+            {"threads", curve.threads},
+            {"machine", machine_in_words(curve)},
+            {"scaled", study.is_scaled(curve)},
+            {"style", style},
+            {"runs", Json::array()}};
+  for (const GivenPoint& point : curve.points)
+    json["runs"].push_back({{"setting", point.label},
+                            {"file", point.file},
+                            {"outcome", point.why_not.empty() ? "completed" : "not compared"},
+                            {"message", point.why_not},
+                            {"time", errors_json(point.time_error)},
+                            {"total", errors_json(point.total_error)},
+                            {"stated_seconds", point.seconds},
+                            {"seconds", {study.work(curve, point)}}});
+  return json;
+}
+
 Json style_json(const CurveStyle& style) {
   return {{"color", css(style.color)},
           {"dark", css(style.dark_color)},
@@ -97,6 +119,8 @@ Json floor_json(const CertifiedReference* reference) {
 Json chosen_json(const WorkPrecision& study, StudyQuestion question) {
   Json labels = Json::array();
   for (const StudyLine& line : chosen_lines(study, question, most_drawn_curves)) labels.push_back(line.label);
+  for (std::size_t k = 0; study.timed && k < study.given_curves.size(); ++k)
+    labels.push_back(label_of(study, study.given_curves[k]));
   return labels;
 }
 
@@ -121,6 +145,9 @@ std::string study_chart_data(const WorkPrecision& study) {
                               {"elements", curve.elements},
                               {"style", style_json(styles.at(curve.label))},
                               {"runs", curve.runs}});
+  json["given"] = Json::array();
+  for (std::size_t k = 0; study.timed && k < study.given_curves.size(); ++k)
+    json["given"].push_back(given_json(study, study.given_curves[k], style_json(given_style(study, k))));
   json["chosen"] = {{"time", chosen_json(study, StudyQuestion::time)},
                     {"total", chosen_json(study, StudyQuestion::total)}};
   json["front"] = {{"time", study.time_front}, {"total", study.total_front}};

@@ -59,6 +59,7 @@ class WorkFigure {
     add_rules(panel);
     add_front(panel);
     for (const StudyLine& line : lines_) add_line(panel, line);
+    for (std::size_t k = 0; k < study_.given_curves.size(); ++k) add_given(panel, k);
     add_trouble(panel);
 
     Figure figure;
@@ -87,6 +88,12 @@ class WorkFigure {
         if (fate(k) == RunFate::failed) continue;
         x.add(work(k));
         y.add(error(k));
+      }
+    for (const GivenCurve& curve : study_.given_curves)
+      for (const GivenPoint& point : curve.points) {
+        if (fate_of(study_, point, question_) == RunFate::failed) continue;
+        x.add(study_.work(curve, point));
+        y.add(errors_of(point, question_).tip_max);
       }
     if (x.empty()) {
       x.add(1e-3);
@@ -162,28 +169,53 @@ class WorkFigure {
     panel.series.push_back(std::move(series));
   }
 
+  /// The curve of another program; what is not good of it has no place on the axes, and breaks the line.
+  void add_given(Panel& panel, std::size_t k) const {
+    const GivenCurve& curve = study_.given_curves[k];
+    Series series = styled(label_of(study_, curve), given_style(study_, k));
+    series.marker_size = 1.2;
+    for (const GivenPoint& point : curve.points)
+      if (fate_of(study_, point, question_) == RunFate::good && study_.work(curve, point) > 0)
+        add_point(series, study_.work(curve, point), errors_of(point, question_).tip_max);
+      else
+        add_point(series, -1, -1);
+    if (study_.timed) panel.series.push_back(std::move(series));
+  }
+
   /// Runs that are wrong, at their error, and those whose error is not known, at the upper edge, where they
   /// ended or at the end of the axis.
   void add_trouble(Panel& panel) const {
     bool any_wrong = false, any_failed = false;
-    for (const StudyLine& line : lines_) {
-      Series wrong = styled("", styles_.at(line.label));
+    // `each` is called with what takes a run's work, error and fate.
+    const auto mark = [&](const CurveStyle& style, const auto& each) {
+      Series wrong = styled("", style);
       wrong.line_width = 0;
       wrong.marker = Marker::circled_cross;
       wrong.marker_size = 1.15;
       Series failed = wrong;
       failed.marker = Marker::cross;
       failed.marker_size = 1.3;
-      for (const std::size_t k : line.runs) {
-        if (fate(k) == RunFate::wrong) add_point(wrong, work(k), error(k));
-        if (fate(k) == RunFate::failed)
-          add_point(failed, std::clamp(work(k), x_range_[0] * 1.1, x_range_[1] / 1.1), top_);
-      }
+      each([&](double cost, double off, RunFate of_run) {
+        if (of_run == RunFate::wrong) add_point(wrong, cost, off);
+        if (of_run == RunFate::failed)
+          add_point(failed, std::clamp(cost, x_range_[0] * 1.1, x_range_[1] / 1.1), top_);
+      });
       any_wrong = any_wrong || !wrong.x.empty();
       any_failed = any_failed || !failed.x.empty();
       if (!wrong.x.empty()) panel.series.push_back(std::move(wrong));
       if (!failed.x.empty()) panel.series.push_back(std::move(failed));
-    }
+    };
+    for (const StudyLine& line : lines_)
+      mark(styles_.at(line.label), [&](const auto& take) {
+        for (const std::size_t k : line.runs) take(work(k), error(k), fate(k));
+      });
+    for (std::size_t k = 0; study_.timed && k < study_.given_curves.size(); ++k)
+      mark(given_style(study_, k), [&](const auto& take) {
+        const GivenCurve& curve = study_.given_curves[k];
+        for (const GivenPoint& point : curve.points)
+          take(study_.work(curve, point), errors_of(point, question_).tip_max,
+               fate_of(study_, point, question_));
+      });
     const auto explain = [&](Marker marker, const std::string& text) {
       Series series;
       series.label = text;
@@ -218,6 +250,9 @@ class WorkFigure {
     if (!cheapest.empty()) text += " The cheapest " + cheapest.front().in_words;
     if (cheapest.size() > 1) text += ", and " + cheapest.back().in_words;
     if (!cheapest.empty()) text += ".";
+    for (const GivenCurve& curve : study_.given_curves)
+      text += fmt::format(" Beside them {} of {}.", counted(std::ssize(curve.points), "run", "runs"),
+                          label_of(study_, curve));
     if (const CertifiedReference* reference = reference_of(study_, question_))
       text += " The reference is " + certificate_in_words(*reference) + ".";
     return text;

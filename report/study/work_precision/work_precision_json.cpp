@@ -97,6 +97,7 @@ void members_of_study(Archive& a, WorkPrecision& study) {
   a("total_cheapest", study.total_cheapest);
   a("common_floors", study.common_floors);
   a("mesh", study.mesh);
+  if (a.has("yardstick", true)) a("yardstick", study.yardstick);
 }
 
 /// A run as reports have it, whose counters stand beside all else.
@@ -117,6 +118,18 @@ void members_of_run(Archive& a, WorkPrecisionRun& run, double length) {
 }
 
 using Json = nlohmann::ordered_json;
+
+/// Those of other programs, whose points also say what their time is here.
+Json given_curves_json(const WorkPrecision& study) {
+  Json curves = Json::array();
+  for (const GivenCurve& curve : study.given_curves) {
+    curves.push_back(encode(curve, NotFinite::null));
+    for (std::size_t k = 0; k < curve.points.size(); ++k)
+      curves.back()["points"][k]["work_seconds"] =
+          encode(study.work(curve, curve.points[k]), NotFinite::null);
+  }
+  return curves;
+}
 
 /// Places in a list must lie in it.
 void check_places(const std::vector<std::size_t>& places, std::size_t size) {
@@ -147,6 +160,7 @@ Json work_precision_json(const WorkPrecision& study) {
     runs.push_back(std::move(a.json));
   }
   whole.json["conclusion"] = conclusion_json(study);
+  whole.json["given_curves"] = given_curves_json(study);
   for (const auto& [name, value] : study.provenance) whole.json["provenance"][name] = value;
   return std::move(whole.json);
 }
@@ -159,6 +173,8 @@ WorkPrecision work_precision_from_json(const Json& json) {
     ObjectReader a(item, NotFinite::null);
     members_of_run(a, study.runs.emplace_back(), study.length);
   }
+  if (json.contains("given_curves")) decode(json.at("given_curves"), study.given_curves, NotFinite::null);
+  study.timed = study.has_times();
   decode(json.at("provenance"), study.provenance);
   check(study);
   return study;

@@ -139,6 +139,51 @@ data question_values(const WorkPrecision& study, StudyQuestion question,
   return values;
 }
 
+/// What is true of the curves of other programs, as far as there are such.
+std::string given_in_words(const WorkPrecision& study) {
+  const auto any = [&](auto what) {
+    return std::any_of(study.given_curves.begin(), study.given_curves.end(), what);
+  };
+  std::string text =
+      "Their errors are those of the tip in their files, held against the same references; their times are "
+      "what the case says. On the chart of time integration an error is the whole distance to the motion of "
+      "the case's mesh, with all that their model and mesh differ by. Fronts and cheapest methods are of "
+      "Plumb's own runs.";
+  if (!study.timed)
+    return text + " They are on neither chart, as work is counted there and their counts are not known.";
+  if (any([&](const GivenCurve& curve) { return study.is_scaled(curve); }))
+    text += fmt::format(
+        " Times with a yardstick are scaled to this machine by the ratio of the yardsticks, which is {} here "
+        "(plumb yardstick).",
+        duration_in_words(study.yardstick));
+  if (any([&](const GivenCurve& curve) { return curve.is_elsewhere() && !study.is_scaled(curve); }))
+    text +=
+        " Hollow marks are of another machine without a yardstick: their times cannot be held against those "
+        "measured here.";
+  return text;
+}
+
+data given_rows(const WorkPrecision& study) {
+  data rows{data::type::list};
+  for (const GivenCurve& curve : study.given_curves)
+    for (const GivenPoint& point : curve.points) {
+      data row;
+      row["name"] = curve.name;
+      row["program"] = curve.program;
+      row["point"] = point.label;
+      row["stated"] = duration_in_words(point.seconds);
+      row["threads"] = std::to_string(curve.threads);
+      row["machine"] = machine_in_words(curve);
+      const bool elsewhere = curve.is_elsewhere() && !study.is_scaled(curve);
+      row["here"] = elsewhere || !study.timed ? "–" : duration_in_words(study.work(curve, point));
+      row["time"] = number(point.time_error.tip_max);
+      row["total"] = number(point.total_error.tip_max);
+      row["note"] = point.why_not;
+      rows.push_back(row);
+    }
+  return rows;
+}
+
 data order_rows(const WorkPrecision& study) {
   data rows{data::type::list};
   for (const StudyLine& line : study_lines(study, StudyQuestion::time)) {
@@ -342,6 +387,9 @@ std::string study_html(const WorkPrecision& study, const std::vector<Picture>& p
   for (const StudyQuestion question : {StudyQuestion::time, StudyQuestion::total})
     questions.push_back(question_values(study, question, pictures));
   values.set("questions", questions);
+  values["has_given"] = !study.given_curves.empty();
+  if (!study.given_curves.empty()) values["given_words"] = given_in_words(study);
+  values["given"] = given_rows(study);
   values["has_orders"] = !study_lines(study, StudyQuestion::time).empty();
   values["orders"] = order_rows(study);
   if (const Picture* picture = find_picture(pictures, order_figure_name))
@@ -407,6 +455,7 @@ StudySection shown_work_precision(const WorkPrecision& study, const std::vector<
   StudySection section;
   section.links = {
       {"study-choice", "What to choose"}, {"study-time", "Time integration"}, {"study-total", "Total error"}};
+  if (!study.given_curves.empty()) section.links.emplace_back("study-given", "Other programs");
   if (!study_lines(study, StudyQuestion::time).empty()) section.links.emplace_back("study-orders", "Orders");
   if (study.mesh) section.links.emplace_back("study-mesh", "Mesh");
   section.links.emplace_back("study-failures", "Failures");

@@ -10,6 +10,7 @@
 #include "engine/integrate/method_info.h"
 #include "engine/study/work_precision/cheapest.h"
 #include "report/base/escape.h"
+#include "report/study/work_precision/compared_lines.h"
 #include "report/study/work_precision/work_precision_conclusion.h"
 #include "report/study/work_precision/work_precision_json.h"
 #include "report/verdict/results.h"
@@ -126,6 +127,28 @@ std::string failures_in_words(const WorkPrecision& study) {
   return text;
 }
 
+std::vector<std::string> given_points_in_words(const WorkPrecision& study) {
+  std::vector<std::string> lines;
+  const auto distance = [](const ErrorNorms& norms, const char* from) {
+    return norms.tip_max < 0 ? std::string() : fmt::format("{:.3g} m from {}", norms.tip_max, from);
+  };
+  for (const GivenCurve& curve : study.given_curves)
+    for (const GivenPoint& point : curve.points) {
+      const std::string time = distance(point.time_error, "the mesh of the case"),
+                        total = distance(point.total_error, "the converged motion");
+      lines.push_back(fmt::format(
+          "{}: {}, {} on {}{}, {}: {}", curve.name, point.label, duration_in_words(point.seconds),
+          machine_in_words(curve),
+          study.is_scaled(curve) ? fmt::format(" ({} here)", duration_in_words(study.work(curve, point)))
+                                 : "",
+          counted(curve.threads, "thread", "threads"),
+          !point.why_not.empty()          ? point.why_not
+          : time.empty() && total.empty() ? "there is no reference for it"
+                                          : time + (time.empty() || total.empty() ? "" : ", ") + total));
+    }
+  return lines;
+}
+
 StudyReport evaluate_study(const Study& study, const Stages& stages) {
   const WorkPrecision& result = study.result;
   StudyReport report{study.loaded, "speed against accuracy", result.provenance, study_verdicts(result),
@@ -153,6 +176,9 @@ StudyReport evaluate_study(const Study& study, const Stages& stages) {
       result.time_cheapest);
   append_cheapest(report.after, "Cheapest method and mesh against the converged solution",
                   result.total_cheapest);
+  if (!result.given_curves.empty()) report.after += "\nOther programs:\n\n";
+  for (const std::string& line : given_points_in_words(result))
+    report.after += fmt::format("- {}\n", escape_markdown(line));
   return report;
 }
 

@@ -102,6 +102,8 @@ class MadeWorkPrecision : public MadeStudy {
         study.time_cheapest, lines);
     add_cheapest("Cheapest method and mesh against the converged solution", study.total_cheapest, lines);
     add_references(study, lines);
+    if (!study.given_curves.empty()) lines.push_back({"Other programs"});
+    for (const std::string& line : given_points_in_words(study)) lines.push_back({"  " + line});
     return lines;
   }
 
@@ -127,7 +129,7 @@ StudyKind work_precision_study() {
           parts_of_all,
           work_precision_schema_json,
           [](const LoadedCase& loaded, Runner& runner) -> std::unique_ptr<MadeStudy> {
-            return made_study({loaded, run_work_precision(loaded.spec, false, runner)});
+            return made_study({loaded, run_work_precision(loaded.spec, false, runner, loaded.given_runs)});
           },
           nullptr};
 }

@@ -159,8 +159,8 @@ std::array<int, 3> at(const Image& image, const Point& place) {
 }
 
 constexpr std::array every_marker = {Marker::circle,      Marker::square,        Marker::diamond,
-                                     Marker::triangle_up, Marker::triangle_down, Marker::cross,
-                                     Marker::plus,        Marker::circled_cross};
+                                     Marker::triangle_up, Marker::triangle_down, Marker::triangle_right,
+                                     Marker::cross,       Marker::plus,          Marker::circled_cross};
 
 constexpr std::array<int, 3> blue = {0x00, 0x72, 0xB2};
 

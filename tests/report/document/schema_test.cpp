@@ -61,6 +61,7 @@ Study whole_work_precision() {
   Study study = made_study_of_a_case();
   study.result.common_floors = {{1e-9, {0, 1, 2}}};
   study.result.runs.front().method.parameters["rho"] = 0.5;
+  study.result.given_curves = {made_given_curve("laptop", 0.1)};
   study.result.runs.front().time_error.tip_max = std::nan("");
   return study;
 }

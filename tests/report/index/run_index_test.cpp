@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/image/png.h"
+#include "report/base/escape.h"
 #include "report/verdict/results.h"
 #include "tests/report/made_run.h"
 
@@ -136,6 +137,71 @@ TEST(RunIndex, OfFiveHundredReportsKeepsItsPageBelowFiveMegabytes) {
   EXPECT_LT(page.size(), 5'000'000U);
   EXPECT_TRUE(says(page, "data:image/png"));
   EXPECT_TRUE(says(page, "case_499/index.html"));
+}
+
+TEST(RunIndex, ASummaryOfHundredsIsBelow64KiBAndLeavesNoneOut) {
+  std::vector<IndexedReport> reports;
+  for (int k = 0; k < 300; ++k) {
+    reports.push_back(report_with("a_case_with_a_name_of_some_length_" + std::to_string(k), "failed"));
+    Document& document = reports.back().document;
+    document["headline"] = "<b>1</b> of 9 criteria not met: " + std::string(k == 7 ? 100'000 : 300, '|');
+  }
+  const std::string summary = index_summary(index_of(reports, {}));
+  EXPECT_LT(summary.size(), 64U * 1024);
+  EXPECT_FALSE(says(summary, " more reports are in results.json"));
+  std::size_t short_rows = 0;
+  for (const IndexedReport& report : reports) {
+    const std::string cell = "\n| " + escape_markdown(report.folder) + " | ";
+    const std::size_t row = summary.find(cell);
+    ASSERT_NE(row, summary.npos) << report.folder;
+    const std::string line = summary.substr(row + 1, summary.find('\n', row + 1) - row - 1);
+    EXPECT_TRUE(line.ends_with("… |")) << line;
+    EXPECT_TRUE(says(line, "&lt;b\\>1")) << "what a headline begins with is there: " << line;
+    ++short_rows;
+  }
+  EXPECT_EQ(short_rows, 300U);
+}
+
+TEST(RunIndex, ASummaryOfTooManyHasTheWorstAndCountsTheRest) {
+  std::vector<IndexedReport> reports;
+  for (int k = 0; k < 2000; ++k)
+    reports.push_back(report_with("case_" + std::to_string(k), k < 100 ? "failed" : "passed"));
+  const std::string summary = index_summary(index_of(reports, {}));
+  EXPECT_LT(summary.size(), 64U * 1024);
+  for (int k = 0; k < 100; ++k)
+    EXPECT_TRUE(says(summary, "\n| case\\_" + std::to_string(k) + " | ")) << "failed, and is left out: " << k;
+  const auto rows = static_cast<std::size_t>(std::count(summary.begin(), summary.end(), '\n'));
+  EXPECT_GT(rows, 400U);
+  EXPECT_TRUE(says(summary, " more reports are in results.json.\n")) << summary.substr(summary.size() - 300);
+}
+
+TEST(RunIndex, ASummaryOfAFewSaysAllOfEach) {
+  const std::vector<IndexedReport> reports{report_with("a", "failed"), report_with("b", "passed")};
+  const std::string summary = index_summary(index_of(reports, {}));
+  for (const IndexedReport& report : reports)
+    EXPECT_TRUE(says(summary, escape_markdown(report.document.at("headline").get<std::string>()) + " |\n"))
+        << summary;
+}
+
+TEST(Summary, OfARunWithManyLongVerdictsIsBelow64KiBWithTheFailedOnesFirst) {
+  Document document = document_of(evaluate(run_with("made"), {}), {});
+  const Document passed = document["verdicts"][0];
+  Document failed = passed;
+  failed["status"] = "failed";
+  document["verdicts"] = Document::array();
+  for (int k = 0; k < 600; ++k) {
+    Document& verdict = document["verdicts"].emplace_back(k >= 400 ? failed : passed);
+    verdict["criterion"] = "criterion " + std::to_string(k) + ".";
+    verdict["message"] = std::string(k == 420 ? 200'000 : 80, '*');
+  }
+  document["headline"] = document["title"] = document["outcome_reason"] = std::string(50'000, '<');
+  const std::string summary = to_summary(document);
+  EXPECT_LT(summary.size(), 64U * 1024);
+  for (int k = 400; k < 600; ++k)
+    EXPECT_TRUE(says(summary, "| criterion " + std::to_string(k) + ". |"))
+        << "failed, and is left out: " << k;
+  EXPECT_TRUE(says(summary, "more criteria are in results.json"));
+  EXPECT_TRUE(says(summary, "energy drift")) << "what the run cost is at its end";
 }
 
 TEST(RunIndex, ShowsTheHistoryOfEachCaseAlone) {

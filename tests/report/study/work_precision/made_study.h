@@ -104,6 +104,18 @@ class MadeCurves {
   WorkPrecision study_;
 };
 
+/// The curve of another program, of which the last point has no error.
+inline GivenCurve made_given_curve(const std::string& machine = "", double yardstick = -1) {
+  return {"springs",
+          "Springs 1.0",
+          4,
+          machine,
+          yardstick,
+          {{"8 links", "a.csv", 0.25, {0.02, 0.01, -1, -1}, {0.03, 0.015, -1, -1}, ""},
+           {"16 links", "b.csv", 1, {0.005, 0.002, -1, -1}, {0.015, 0.01, -1, -1}, ""},
+           {"32 links", "c.csv", 4, {}, {}, "it ended early"}}};
+}
+
 inline WorkPrecision made_study() {
   MadeCurves made;
   for (const int elements : {4, 8}) {

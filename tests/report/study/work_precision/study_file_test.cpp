@@ -9,6 +9,7 @@
 #include "tests/engine/study/in_memory.h"
 #include "tests/engine/study/work_precision/tiny_study.h"
 #include "tests/report/program/program.h"
+#include "tests/report/study/work_precision/made_study.h"
 
 namespace plumb {
 namespace study_file_test {
@@ -28,6 +29,22 @@ TEST(WorkPrecisionFile, KeepsEverythingOfAStudy) {
   const Study back = read_study((folder / "study.h5").string());
   EXPECT_EQ(work_precision_json(back.result).dump(1), work_precision_json(tiny_study().result).dump(1));
   EXPECT_EQ(back.loaded.spec, tiny_study().loaded.spec);
+}
+
+TEST(WorkPrecisionFile, KeepsTheCurvesOfOtherPrograms) {
+  const TemporaryFolder folder;
+  Study study = tiny_study();
+  study.result.given_curves = {made_given_curve("laptop", 0.5)};
+  study.result.yardstick = 0.25;
+  write_text(folder / "study.h5", encode_study(study));
+  const nlohmann::ordered_json back = work_precision_json(read_study((folder / "study.h5").string()).result);
+  EXPECT_EQ(back.at("given_curves").dump(1), work_precision_json(study.result).at("given_curves").dump(1));
+  EXPECT_EQ(back.at("given_curves")[0].at("points")[1].at("work_seconds"), 0.5);
+  const WorkPrecision again = work_precision_from_json(back);
+  EXPECT_EQ(work_precision_json(again).dump(1), back.dump(1));
+  study.result.given_curves[0].points[0].seconds = -1;
+  write_text(folder / "study.h5", encode_study(study));
+  EXPECT_THROW(read_study((folder / "study.h5").string()), InputError);
 }
 
 TEST(WorkPrecisionFile, HasAUnitOnEveryDataSet) {

@@ -70,6 +70,26 @@ TEST(StudyFigures, OfTheTotalShowEachRunOfEveryMeshOnce) {
   EXPECT_EQ(points, 30U);
 }
 
+TEST(StudyFigures, HaveTheCurveOfAnotherProgramWithItsNameAndAMarkerOfItsOwn) {
+  WorkPrecision study = made_study();
+  study.given_curves = {made_given_curve("laptop")};
+  for (const char* name : {time_work_figure_name, total_work_figure_name}) {
+    const Figure figure = named(study_figures(study), name),
+                 without = named(study_figures(made_study()), name);
+    const Series line = labelled(figure, "springs: Springs 1.0, 4 threads, another machine");
+    ASSERT_EQ(line.x.size(), 3U);
+    EXPECT_EQ(line.x[0], 0.25);
+    EXPECT_EQ(line.y[1], name == std::string(time_work_figure_name) ? 0.005 : 0.015);
+    EXPECT_TRUE(line.open_marker);
+    EXPECT_EQ(line.marker, Marker::triangle_right);
+    EXPECT_EQ(points_with(without, Marker::triangle_right), 0U);
+    EXPECT_EQ(points_with(figure, Marker::cross), points_with(without, Marker::cross) + 1)
+        << "the point without an error is at the edge";
+    EXPECT_GT(figure.plot.panels[0].x.range.value()[1], 1.0) << "there is room for its slow points";
+    EXPECT_NE(figure.alt.find("3 runs of springs: Springs 1.0"), std::string::npos) << figure.alt;
+  }
+}
+
 TEST(StudyFigures, LineOfAMethodOverItsMeshesFallsAllTheWay) {
   const Series line = labelled(named(study_figures(made_study()), total_work_figure_name), "second");
   ASSERT_GT(line.x.size(), 2U);

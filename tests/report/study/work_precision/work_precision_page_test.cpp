@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 #include "report/base/base64.h"
 #include "report/base/escape.h"
@@ -160,6 +161,68 @@ TEST(StudyPage, CheapestTableHasARowForEachDecade) {
   ASSERT_FALSE(study.time_cheapest.empty());
   EXPECT_EQ(count(page, "<th scope=\"row\" class=\"n\">1e-"),
             study.time_cheapest.size() + study.total_cheapest.size());
+}
+
+TEST(StudyPage, ShowsTheCurvesOfOtherProgramsInChartAndTable) {
+  WorkPrecision study = made_study();
+  study.given_curves = {made_given_curve(), made_given_curve("laptop"), made_given_curve("cluster", 0.5)};
+  study.given_curves[1].name = "away";
+  study.given_curves[2].name = "scaled";
+  study.given_curves[2].program.clear();
+  study.yardstick = 0.25;
+  const std::string page = page_of(study);
+  const nlohmann::json given = data_in(page)["given"];
+  ASSERT_EQ(given.size(), 3U);
+  EXPECT_EQ(given[0]["label"], "springs: Springs 1.0, 4 threads");
+  EXPECT_EQ(given[1]["label"], "away: Springs 1.0, 4 threads, another machine");
+  EXPECT_EQ(given[2]["label"], "scaled (external run), 4 threads, scaled from another machine");
+  EXPECT_FALSE(given[0]["style"]["open"]);
+  EXPECT_TRUE(given[1]["style"]["open"]) << "of another machine, without a yardstick";
+  EXPECT_FALSE(given[2]["style"]["open"]);
+  EXPECT_EQ(given[0]["runs"][1]["seconds"][0], 1);
+  EXPECT_EQ(given[1]["runs"][1]["seconds"][0], 1);
+  EXPECT_EQ(given[2]["runs"][1]["seconds"][0], 0.5) << "here, where the yardstick takes half as long";
+  EXPECT_EQ(given[2]["runs"][1]["stated_seconds"], 1);
+  EXPECT_EQ(given[0]["runs"][0]["time"]["tip-max"], 0.02);
+  EXPECT_EQ(given[0]["runs"][0]["total"]["tip-rms"], 0.015);
+  EXPECT_TRUE(given[0]["runs"][0]["total"]["curve"].is_null());
+  EXPECT_EQ(given[0]["runs"][2]["outcome"], "not compared");
+  for (const char* question : {"time", "total"})
+    for (const auto& curve : given) {
+      const nlohmann::json chosen = data_in(page)["chosen"][question];
+      EXPECT_EQ(std::count(chosen.begin(), chosen.end(), curve["label"]), 1)
+          << "shown at first: " << curve["label"];
+    }
+  std::set<std::string> colors;
+  for (const auto& curve : data_in(page)["curves"]) {
+    EXPECT_NE(curve["style"]["marker"], given[0]["style"]["marker"]);
+    colors.insert(curve["style"]["color"]);
+  }
+  for (const auto& curve : given) EXPECT_FALSE(colors.contains(curve["style"]["color"])) << curve["style"];
+  for (const char* text : {"Other programs", "it ended early", "<td class=\"w\">laptop</td>", "this machine",
+                           "Hollow marks are of another machine without a yardstick",
+                           "by the ratio of the yardsticks, which is 250 ms here"})
+    EXPECT_NE(page.find(text), page.npos) << text;
+  const std::string summary = content_of(evaluate_study({run_with("made").loaded, study}, {})).summary;
+  EXPECT_NE(summary.find(
+                "- scaled: 16 links, 1 s on cluster (500 ms here), 4 threads: 0.005 m from the mesh of the "
+                "case, 0.015 m from the converged motion\n"),
+            summary.npos)
+      << summary;
+  study.given_curves.resize(1);
+  EXPECT_EQ(page_of(study).find("Hollow marks"), page.npos) << "of this machine alone";
+  EXPECT_EQ(page_of(study).find("by the ratio of the yardsticks"), page.npos);
+  EXPECT_EQ(page_of(made_study()).find("Other programs"), page.npos);
+}
+
+TEST(StudyPage, AStudyThatCountsWorkHasNoCurveOfAnotherProgramOnItsCharts) {
+  WorkPrecision study = made_study();
+  study.given_curves = {made_given_curve()};
+  for (WorkPrecisionRun& run : study.runs) run.seconds.clear();
+  evaluate(study);
+  const std::string page = page_of(study);
+  EXPECT_TRUE(data_in(page)["given"].empty());
+  EXPECT_NE(page.find("They are on neither chart"), page.npos);
 }
 
 TEST(StudyPage, SaysWhereNothingCouldBeCompared) {
