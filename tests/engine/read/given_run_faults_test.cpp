@@ -156,7 +156,8 @@ TEST(GivenRunFaults, ARunsOwnKeysAreChecked) {
 TEST(GivenRunFaults, ACaseWithNeitherMethodNorRunIsRefused) {
   CaseSource source = given_case(good);
   source.file.text = with(source.file.text, "[[run]]\nfile = \"chrono.csv\"\n", "");
-  EXPECT_TRUE(matches(refusal(source), "case.toml:…method…a table [method], or a [[run]]…")) << refusal(source);
+  EXPECT_TRUE(matches(refusal(source), "case.toml:…method…a table [method], or a [[run]]…"))
+      << refusal(source);
 }
 
 TEST(GivenRunFaults, AFigureOfTheReportedRunNeedsItsColumns) {
