@@ -42,6 +42,8 @@ output_interval = {interval}
 [[probe]]
 name = "tip"
 at = 1.0
+[scene]
+size = [640, 360]
 [study.work_precision]
 quick.elements = [4, 8, 16]
 [[run]]

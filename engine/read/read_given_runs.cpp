@@ -361,7 +361,6 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
     std::vector<TableReader> points = table.tables("point");
     read_speed(table, spec);
     table.finish();
-    check_name(table, spec.name, name_given, read.specs);
     spec.columns = read_texts(columns, keys);
     spec.units = read_texts(units, keys);
     spec.tolerances = read_tolerances(tolerances, keys);
@@ -378,6 +377,7 @@ GivenRunsRead read_given_runs(std::vector<TableReader>& tables, const std::strin
       of_points.push_back(read_file(point, point.table("columns"), point.table("units"), as_run));
       spec.points.push_back(std::move(said));
     }
+    check_name(table, spec.name, name_given, read.specs);
     const bool is_last_point = !points.empty() && !table.has("file");
     if (is_last_point) {
       spec.columns = spec.points.back().columns;

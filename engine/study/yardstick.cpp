@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "engine/integrate/integrate.h"
 #include "engine/integrate/method_roles.h"
@@ -19,7 +20,7 @@ Case piece_of_work() {
   spec.cable.area = 2.5e-5;
   spec.cable.density = 320;
   spec.cable.youngs_modulus = 1.6e6;
-  spec.cable.second_moment = 5e-11;
+  spec.cable.second_moment = spec.cable.area * spec.cable.area / (4 * std::numbers::pi);
   spec.cable.elements = 32;
   spec.start.angular_velocity = {0, 4, 0};
   spec.supports.first = Support::pinned;

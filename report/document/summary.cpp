@@ -54,10 +54,12 @@ std::string to_summary(const Document& document) {
     text += line;
   }
   if (document.contains("computed_by"))
-    return text + fmt::format("\nGiven by {}, {} to {:.4g} s; its energy and cost are not known.\n",
-                              text_of("computed_by"),
+    return text + fmt::format("\nGiven by {}, {} to {:.4g} s; its {} not known.\n", text_of("computed_by"),
                               counted(solve.at("outputs").get<long>(), "output", "outputs"),
-                              solve.at("end_time").get<double>());
+                              solve.at("end_time").get<double>(),
+                              document.at("given_runs").at(0).value("seconds", -1.0) > 0
+                                  ? "energy is"
+                                  : "energy and cost are");
   text += fmt::format(
       "\n{} with {} to {:.4g} s: {}, {} force and {} tangent evaluations, {:.3g} s; energy drift {}.\n",
       escape_markdown(solve.at("method").get<std::string>(), longest_text / 4),

@@ -388,8 +388,8 @@
         row("run", `${run.setting}, of ${run.file}`);
         row("program", program);
         if (run.message) row("no error", run.message);
-        row("as time error", known(run.time));
-        row("total error", known(run.total));
+        row("to the case's mesh", known(run.time));
+        row("to the converged motion", known(run.total));
         row("time", `${seconds(run.stated_seconds)} on ${machine}, ${threads} ${threads === 1 ? "thread" : "threads"}${scaled ? `; ${seconds(run.seconds[0])} here, by the yardstick` : ""}`);
         return [make("strong", { textContent: run.label }), make("dl", {}, ...rows)];
       }

@@ -148,7 +148,7 @@ std::string given_in_words(const WorkPrecision& study) {
       "Their errors are those of the tip in their files, held against the same references; their times are "
       "what the case says. On the chart of time integration an error is the whole distance to the motion of "
       "the case's mesh, with all that their model and mesh differ by. Fronts and cheapest methods are of "
-      "Plumb's own runs.";
+      "Plumb's own runs. Where a chart counts force evaluations they are left out.";
   if (!study.timed)
     return text + " They are on neither chart, as work is counted there and their counts are not known.";
   if (any([&](const GivenCurve& curve) { return study.is_scaled(curve); }))

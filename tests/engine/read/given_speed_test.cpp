@@ -77,7 +77,7 @@ TEST(GivenSpeed, BadValuesAreRefusedWhereTheyStand) {
   } faults[] = {
       {a + "seconds = 0\n", "case.toml:19:11: run.0.seconds = 0: must be a number greater than 0 (s)"},
       {a + "seconds = -1\n", "case.toml:19:11: run.0.seconds = -1: must be a number greater than 0 (s)"},
-      {a + "seconds = \"fast\"\n", "case.toml:19:11: run.0.seconds…"},
+      {a + "seconds = \"fast\"\n", "case.toml:19:12: run.0.seconds = \"fast\": unknown parameter…"},
       {timed + "threads = 0\n", "case.toml:20:11: run.0.threads = 0: must be a whole number from 1 …"},
       {timed + "threads = 1.5\n", "case.toml:20:11: run.0.threads = 1.5: must be a whole number from 1 …"},
       {timed + "machine = \"\"\n",
@@ -94,9 +94,9 @@ TEST(GivenSpeed, BadValuesAreRefusedWhereTheyStand) {
       {a + "yardstick = 1\n",
        "case.toml:19:13: run.0.yardstick = 1: belongs to seconds or [[run.point]], of which the run has "
        "none"},
-      {a + "[[run.point]]\nseconds = 1\n", "case.toml:19:…run.0.point.0.file: is missing…"},
-      {"[[run.point]]\nseconds = 1\n", "case.toml:18:…run.0.point.0.file: is missing…"},
-      {a + "[[run.point]]\nfile = \"a.csv\"\n", "case.toml:19:…run.0.point.0.seconds: is missing…"},
+      {a + "[[run.point]]\nseconds = 1\n", "case.toml:19:…run.0.point.0.file: missing; required: …"},
+      {"[[run.point]]\nseconds = 1\n", "case.toml:18:…run.0.point.0.file: missing; required: …"},
+      {a + "[[run.point]]\nfile = \"a.csv\"\n", "case.toml:19:…run.0.point.0.seconds: missing; required: …"},
       {a + "[[run.point]]\nfile = \"a.csv\"\nseconds = 0\n",
        "case.toml:21:11: run.0.point.0.seconds = 0: must be a number greater than 0 (s)"},
       {a + "[[run.point]]\nfile = \"no.csv\"\nseconds = 1\n",

@@ -192,7 +192,7 @@ TEST(Summary, OfARunWithManyLongVerdictsIsBelow64KiBWithTheFailedOnesFirst) {
   for (int k = 0; k < 600; ++k) {
     Document& verdict = document["verdicts"].emplace_back(k >= 400 ? failed : passed);
     verdict["criterion"] = "criterion " + std::to_string(k) + ".";
-    verdict["message"] = std::string(k == 420 ? 200'000 : 80, '*');
+    verdict["message"] = std::string(k == 420 ? 200'000 : 40, '*');
   }
   document["headline"] = document["title"] = document["outcome_reason"] = std::string(50'000, '<');
   const std::string summary = to_summary(document);

@@ -182,6 +182,27 @@ TEST(GivenReport, WhatIsNotKnownOfItIsNoNumberInTheDocumentAndSaidSoOnThePage) {
   EXPECT_NE(to_junit(document).find("given by Chrono &lt;8&gt;"), std::string::npos) << to_junit(document);
 }
 
+TEST(GivenReport, TimesThatTheCaseStatesAreOnThePageAndInTheDocument) {
+  const std::string point = "[[run.point]]\nfile = \"chrono.csv\"\nseconds = 7\nlabel = \"step 1 ms\"";
+  const auto told = [&](const std::string& keys) {
+    const Document document = document_of(evaluate(given(parabola(0, 1), keys), {}), {});
+    const std::string page = to_page(document, {});
+    const std::size_t at = page.find("Time that the case states");
+    return at == page.npos ? std::string() : page.substr(at, page.find("</p>", at) - at);
+  };
+  EXPECT_EQ(told(""), "");
+  EXPECT_EQ(told("seconds = 2.5\nthreads = 4\nmachine = \"laptop\"\nyardstick = 0.5\n" + point),
+            "Time that the case states, on 4 threads of laptop: 2.5 s, 7 s (step 1 ms). The yardstick (plumb "
+            "yardstick) takes 0.5 s there.");
+  EXPECT_EQ(told(point), "Time that the case states, on 1 thread of this machine: 7 s (step 1 ms).");
+  const Document timed = document_of(evaluate(given(parabola(0, 1), "seconds = 2.5\n" + point), {}), {});
+  EXPECT_NE(to_summary(timed).find("; its energy is not known"), std::string::npos) << to_summary(timed);
+  const Document& given_run = timed.at("given_runs")[0];
+  EXPECT_EQ(given_run.at("seconds"), 2.5);
+  EXPECT_EQ(given_run.at("points")[0].at("seconds"), 7);
+  EXPECT_EQ(given_run.at("yardstick"), -1);
+}
+
 TEST(GivenReport, ARunFileHoldsTheGivenFileSoThatItCanBeReportedWithoutIt) {
   const TemporaryFolder folder;
   const plumb::Run run = given(parabola(0, 1));
