@@ -90,11 +90,17 @@ Json coverage_json(const Coverage& coverage) {
 }
 
 Json verdict_json(const Verdict& verdict) {
-  Json json{{"kind", word(verdict.kind)},     {"status", word(verdict.status)}, {"name", verdict.name},
-            {"criterion", verdict.criterion}, {"value", verdict.value},         {"limit", verdict.limit},
-            {"unit", verdict.unit},           {"detail", verdict.detail},       {"message", verdict.message},
-            {"reason", verdict.reason}};
-  if (verdict.time >= 0 && std::isfinite(verdict.time)) json["time"] = verdict.time;
+  Json json{{"kind", word(verdict.kind)},
+            {"status", word(verdict.status)},
+            {"name", verdict.name},
+            {"criterion", verdict.criterion},
+            {"value", verdict.value},
+            {"limit", verdict.limit},
+            {"unit", verdict.unit},
+            {"detail", verdict.detail},
+            {"message", verdict.message},
+            {"reason", verdict.reason},
+            {"time", std::isfinite(verdict.time) ? verdict.time : -1}};
   if (verdict.coverage) json["coverage"] = coverage_json(*verdict.coverage);
   return json;
 }

@@ -69,7 +69,7 @@ std::string first_failure_html(const Document& document, const Pictures& picture
     const Document& solve = document.at("solve");
     const double end = solve.at("end_time").get<double>();
     values["title"] = fmt::format("How it ended: {}", solve.at("outcome").get<std::string>());
-    values["what"] = fmt::format("The run came to {:.4g} s.", end);
+    values["what"] = fmt::format("The run came to {:.4g} s; the picture is the last frame before that.", end);
     set_frame(values, pictures, end);
     // The headline says the rest.
     if (!values["has_frame"].is_true()) return "";

@@ -185,8 +185,8 @@ StudyReport evaluate_economy(const EconomyStudy& study, const Stages& stages) {
   report.headline = own == nullptr ? "No picture was asked for, so nothing can be said of what it needs."
                                    : economy_sentence(own->economy, own->scene);
   if (own != nullptr && cost_ratio(study, *own) > 0)
-    report.details = fmt::format("That costs {:.3g} ms, {:.3g} times less than the safe default.",
-                                 1e3 * own->seconds, cost_ratio(study, *own));
+    report.details = fmt::format("That costs {}, where the safe default takes {}.",
+                                 seconds_in_words(own->seconds), seconds_in_words(study.safe_seconds));
   if (!study.scenes.empty()) {
     const Counts counts = counts_of(study);
     report.details += fmt::format(

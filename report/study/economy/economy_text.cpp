@@ -10,13 +10,6 @@
 namespace plumb {
 namespace {
 
-std::string seconds_in_words(double seconds) {
-  if (seconds < 0) return "not run";
-  return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds)
-         : seconds < 1  ? fmt::format("{:.3g} ms", 1e3 * seconds)
-                        : fmt::format("{:.3g} s", seconds);
-}
-
 /// The full model on the case's own mesh.
 const TriedCandidate* own_mesh(const Economy& economy) {
   const auto found =
@@ -34,6 +27,13 @@ std::string model_in_words(const TriedCandidate& tried) {
 }
 
 }  // namespace
+
+std::string seconds_in_words(double seconds) {
+  if (seconds < 0) return "not run";
+  return seconds < 1e-3 ? fmt::format("{:.3g} µs", 1e6 * seconds)
+         : seconds < 1  ? fmt::format("{:.3g} ms", 1e3 * seconds)
+                        : fmt::format("{:.3g} s", seconds);
+}
 
 std::string pixels_in_words(double pixels) {
   if (pixels < 0) return "not known";

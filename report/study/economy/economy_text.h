@@ -8,6 +8,9 @@
 
 namespace plumb {
 
+/// "47 µs", "1.2 s"; "not run" below 0.
+std::string seconds_in_words(double seconds);
+
 /// "0.12 px", "1e-05 px", "more than can be told".
 std::string pixels_in_words(double pixels);
 

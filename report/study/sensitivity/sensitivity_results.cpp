@@ -100,8 +100,10 @@ std::vector<std::string> unnoticed(const Sensitivity& found) {
   for (const NumberSensitivity& number : found.numbers)
     if (number.told() && !by_any([&](std::size_t k) { return least_of(number, k).least.change >= 0; }))
       names.push_back("any change of " + number.words);
+  // A finer mesh is no mistake.
   for (const BlunderSensitivity& of : found.blunders)
-    if (of.applies() && !of.trial.untold() && !by_any([&](std::size_t k) { return of.trial.notices(k); }))
+    if (of.blunder.kind != Blunder::double_mesh && of.applies() && !of.trial.untold() &&
+        !by_any([&](std::size_t k) { return of.trial.notices(k); }))
       names.push_back(of.blunder.name);
   return names;
 }

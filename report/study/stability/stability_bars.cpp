@@ -140,6 +140,10 @@ std::string marks_of(const Stability& study, const BarAxis& axis, const MethodRe
 
 std::string reach_text(const MethodReach& reach, bool by_step) {
   const auto text = [&](double setting) { return setting_text(setting) + (by_step ? " s" : ""); };
+  if (reach.accurate_from == reach.accurate && reach.accurate > 0)
+    return "accurate at " + text(reach.accurate);
+  if (reach.accurate_from > 0)
+    return fmt::format("{} to {}", setting_text(reach.accurate_from), text(reach.accurate));
   if (reach.accurate > 0) return "accurate to " + text(reach.accurate);
   return reach.stable > 0 ? "stable to " + text(reach.stable) : std::string("never stable");
 }

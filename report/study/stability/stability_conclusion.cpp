@@ -38,6 +38,7 @@ MethodReach reach_of(const OutcomeMap& map, double value) {
       static_cast<std::size_t>(std::find(map.values.begin(), map.values.end(), value) - map.values.begin());
   const SettingStretch accurate = accurate_stretch(map, reach.at), stable = stable_stretch(map, reach.at);
   if (!accurate.empty()) reach.accurate = map.settings[accurate.to - 1];
+  if (!accurate.empty() && accurate.from > 0) reach.accurate_from = map.settings[accurate.from];
   if (!stable.empty()) reach.stable = map.settings[stable.to - 1];
   const std::size_t next = std::max(stable.to, accurate.to);
   // Of no stable stretch the first setting is the one that fails.

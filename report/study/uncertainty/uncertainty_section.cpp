@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/study/uncertainty/uncertainty_json.h"
 #include "report/figure/number_markup.h"
@@ -156,53 +155,43 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
   }
 }
 
-/// The series whose error is greatest against the uncertainty of its comparison; null: none is known.
-const Json* clearest_series(const Json& uncertainty) {
-  const Json* clearest = nullptr;
-  double most = -1;
-  for (const Json& series : uncertainty.at("series")) {
-    const Json &error = series.at("error_at_greatest"), &u = series.at("validation_uncertainty_at_greatest");
-    if (!error.is_number() || !u.is_number() || !(u.get<double>() > 0)) continue;
-    const double ratio = std::abs(error.get<double>()) / u.get<double>();
-    if (ratio <= most) continue;
-    most = ratio;
-    clearest = &series;
-  }
-  return clearest;
-}
-
-/// "the clearest error, +0.015 m in tip.z, is within the uncertainty of its comparison, 2 u ≥ 0.02 m"; empty
-/// where that is not known.
-std::string clearest_in_words(const Json& uncertainty) {
-  const Json* series = clearest_series(uncertainty);
-  if (series == nullptr) return "";
-  const double expanded = uncertainty.at("coverage_factor").get<double>() *
-                          series->at("validation_uncertainty_at_greatest").get<double>();
-  const double error = series->at("error_at_greatest").get<double>();
-  const std::string unit = text_of(*series, "unit");
-  return fmt::format(
-      "the clearest error, {:+.2g} {} in {}, is {} the uncertainty of its comparison, {:g} u {} "
-      "{:.2g} {}",
-      error, unit, text_of(*series, "column"), std::abs(error) <= expanded ? "within" : "beyond",
-      uncertainty.at("coverage_factor").get<double>(), series->at("at_least").get<bool>() ? "≥" : "=",
-      expanded, unit);
-}
-
-/// What all comparisons come to.
+/// "2 of 6 comparisons stay within their uncertainty, 2 u ≥ 0.01 m at most, at all times; published: tip.x is
+/// beyond it most often, at 21 % of them".
 std::string uncertainty_in_words(const Json& uncertainty) {
   const Json& all = uncertainty.at("series");
-  const auto within = std::count_if(all.begin(), all.end(), [](const Json& series) {
-    return series.at("share_within").get<double>() >= 1;
-  });
-  const std::string clearest = clearest_in_words(uncertainty);
-  return fmt::format("{} of {} cannot be told apart from the reference at any time{}{}.", within,
-                     counted(std::ssize(all), "comparison", "comparisons"), clearest.empty() ? "" : "; ",
-                     clearest);
+  const double k = uncertainty.at("coverage_factor").get<double>();
+  double greatest = -1, least_share = 2;
+  std::string unit, worst;
+  bool at_least = false;
+  long within = 0;
+  for (const Json& series : all) {
+    const Json& u = series.at("validation_uncertainty_at_greatest");
+    const double share = series.at("share_within").get<double>();
+    within += share >= 1 ? 1 : 0;
+    at_least = at_least || series.at("at_least").get<bool>();
+    if (u.is_number() && k * u.get<double>() > greatest) {
+      greatest = k * u.get<double>();
+      unit = text_of(series, "unit");
+    }
+    if (share < least_share) {
+      least_share = share;
+      worst = fmt::format("{}: {}", text_of(series, "reference"), text_of(series, "column"));
+    }
+  }
+  std::string text = fmt::format("{} of {} {} within {} uncertainty", within,
+                                 counted(std::ssize(all), "comparison", "comparisons"),
+                                 within == 1 ? "stays" : "stay", within == 1 ? "its" : "their");
+  if (greatest >= 0)
+    text += fmt::format(", {:g} u {} {:.2g} {} at most,", k, at_least ? "≥" : "=", greatest, unit);
+  text += " at all times";
+  if (within < std::ssize(all))
+    text += fmt::format("; {} is beyond it most often, at {:.0f} % of them", worst, 100 * (1 - least_share));
+  return text;
 }
 
 std::string uncertainty_clause(const Document& document) {
-  const std::string clearest = clearest_in_words(document.at(uncertainty_key));
-  return clearest.empty() ? "" : "; " + clearest;
+  const Document& uncertainty = document.at(uncertainty_key);
+  return uncertainty.at("series").empty() ? "" : "; " + uncertainty_in_words(uncertainty);
 }
 
 std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>& pictures) {
@@ -212,7 +201,8 @@ std::string uncertainty_html(const Document& uncertainty, const std::vector<Pict
   values["k"] = fmt::format("{:g}", uncertainty.at("coverage_factor").get<double>());
   values["runs"] = std::to_string(uncertainty.at("runs").get<int>());
   values["seconds"] = fmt::format("{:.2g}", uncertainty.at("seconds").get<double>());
-  values["in_words"] = uncertainty.at("series").empty() ? std::string() : uncertainty_in_words(uncertainty);
+  values["in_words"] =
+      uncertainty.at("series").empty() ? std::string() : uncertainty_in_words(uncertainty) + ".";
   values["has_series"] = !uncertainty.at("series").empty();
   values.set("series", series_rows(uncertainty));
   data names{data::type::list};

@@ -265,7 +265,7 @@ nlohmann::ordered_json conclusion_json(const WorkPrecision& study) {
   for (const MeshAdvice& mesh : all.meshes) {
     Json entry{{"elements", mesh.elements},
                {"error", std::isfinite(mesh.error) ? Json(mesh.error) : Json(nullptr)}};
-    if (mesh.run) entry["run"] = *mesh.run;
+    entry["run"] = mesh.run ? Json(*mesh.run) : Json(-1);
     json["meshes"].push_back(std::move(entry));
   }
   for (const FailingCurve& one : all.failing)

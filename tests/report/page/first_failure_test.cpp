@@ -49,7 +49,7 @@ TEST(FirstFailure, ShowsTheCriterionAndTheFrameOfItsTime) {
   const std::string earlier = first_failure_html(document, made.pictures);
   EXPECT_NE(earlier.find(made.uri(3)), html.npos);
   EXPECT_NE(earlier.find("The cable at 0.3 s"), html.npos);
-  document["verdicts"][0].erase("time");
+  document["verdicts"][0]["time"] = -1;
   EXPECT_EQ(first_failure_html(document, made.pictures).find("<img"), html.npos) << "of no one time";
 }
 

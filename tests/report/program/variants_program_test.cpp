@@ -59,7 +59,8 @@ TEST(VariantsProgram, OneThatDoesNotFailAsExpectedEndsWithOne) {
   write_case(folder / "a.toml", "completed");
   const Ended ended = plumb_in(folder.path(), {"study", "a.toml", "variants", "-o", "b"});
   EXPECT_EQ(ended.status, 1) << ended.err << ended.out;
-  EXPECT_NE(ended.out.find("Not as expected: \"long steps\""), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("Not as expected: 1 of 2 variants: \"long steps\"."), std::string::npos)
+      << ended.out;
   EXPECT_EQ(Json::parse(read_text(folder / "b/results.json"))["all_criteria_met"], false);
 }
 
