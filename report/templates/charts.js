@@ -146,7 +146,7 @@
         pointBorderColor: colorOf(series, k),
         pointBackgroundColor: "transparent",
         pointBorderWidth: 1.4,
-        order: k,
+        order: -k,  // the last on top, as it is drawn
       }));
     }
 

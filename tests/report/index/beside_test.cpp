@@ -104,6 +104,12 @@ TEST(Beside, WhatCannotBeComparedIsSaidWithTheReason) {
   EXPECT_NE(text_of(*found(apart.at("not_compared"), "what", "p.x"), "why").find("no span of time"),
             std::string::npos);
   EXPECT_TRUE(apart.at("probes").empty());
+  set_probe(first, "p.x", "m", {0, 1, 1, 2}, {0, 1, 2, 3});
+  set_probe(second, "p.x", "m", {0, 1}, {0, 1});
+  const Document back = beside_of(first, "a", second, "b");
+  ASSERT_NE(found(back.at("not_compared"), "what", "p.x"), nullptr);
+  EXPECT_NE(text_of(*found(back.at("not_compared"), "what", "p.x"), "why").find("do not rise"),
+            std::string::npos);
 }
 
 TEST(Beside, PicturesThatHaveNoRoomAreCounted) {
