@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -158,6 +159,8 @@ void add_distance(Document& beside, const std::string& column, const std::string
                   const Curve& other) {
   if (one.times.empty() || other.times.empty())
     return cannot(beside, column, "there are no numbers in one of them");
+  if (!is_rising(one.times) || !is_rising(other.times))
+    return cannot(beside, column, "the times of one of them do not rise");
   const double from = std::max(one.times.front(), other.times.front()),
                to = std::min(one.times.back(), other.times.back());
   std::set<double> times;
@@ -270,6 +273,10 @@ void set_side(data& row, const std::string& side, const Document& one, const std
 }
 
 }  // namespace
+
+bool is_rising(const std::vector<double>& times) {
+  return std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end();
+}
 
 Document beside_of(const Document& first, const std::string& first_name, const Document& second,
                    const std::string& second_name) {

@@ -13,6 +13,9 @@ struct PicturePair {
   std::string first, second;  ///< PNG
 };
 
+/// Whether times rise from each to the next, without which nothing can be interpolated.
+bool is_rising(const std::vector<double>& times);
+
 /// What an index of two reports has of them beside one another.
 struct Beside {
   Document document = {};  ///< beside_of(); null: there are not two

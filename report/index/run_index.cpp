@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
+#include "engine/base/time_interpolation.h"
 #include "render/gl/markup.h"
 #include "report/base/document_value.h"
 #include "report/base/escape.h"
@@ -128,6 +130,25 @@ std::string headline(const Document& entries) {
 
 }  // namespace
 
+namespace {
+
+/// The second of two curves minus the first, at the times of both that both span; empty: there are none.
+Series difference_of(const Series& first, const Series& second) {
+  Series series;
+  if (first.x.empty() || second.x.empty() || !is_rising(first.x) || !is_rising(second.x)) return series;
+  std::set<double> times(first.x.begin(), first.x.end());
+  times.insert(second.x.begin(), second.x.end());
+  const TimeInterpolation one(first.x, first.y), other(second.x, second.y);
+  for (const double t : times)
+    if (t >= std::max(first.x.front(), second.x.front()) && t <= std::min(first.x.back(), second.x.back())) {
+      series.x.push_back(t);
+      series.y.push_back(other.value(t) - one.value(t));
+    }
+  return series;
+}
+
+}  // namespace
+
 std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
   // Columns in the order of the first report that has them, with their unit.
   std::vector<std::pair<std::string, std::string>> columns;
@@ -168,6 +189,20 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
     figure.plot.title = literal(figure.title);
     figure.times = {{true, {}}};
     figure.plot.height = 900;
+    if (reports.size() == 2) {
+      Panel below;
+      below.x.label = panel.x.label;
+      below.y.label = fmt::format("difference [{}]", unit_markup(unit));
+      below.y.zero_line = true;
+      below.height_share = 0.4;
+      below.series = {difference_of(panel.series[0], panel.series[1])};
+      if (!below.series[0].x.empty()) {
+        panel.shares_x_below = true;
+        figure.plot.panels.push_back(std::move(panel));
+        panel = std::move(below);
+        figure.times.push_back(figure.times.front());
+      }
+    }
     figure.plot.panels.push_back(std::move(panel));
     figures.push_back(std::move(figure));
     if (figures.size() == most_shared_figures) break;

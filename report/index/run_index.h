@@ -23,9 +23,9 @@ struct IndexedReport {
 /// `errors` become `comparisons`, as comparisons_of() has them.
 IndexedReport indexed(const std::string& folder, const Document& document);
 
-/// Figures of the columns of probes that two or more reports have in one unit, over time, one line a report;
-/// at most `most_shared_figures`. Columns of more than `most_shared_lines` reports are left out: their lines
-/// could not be told apart.
+/// Figures of the columns of probes that two or more reports have in one unit, over time, one line a report,
+/// and of two reports the second minus the first below; at most `most_shared_figures`. Columns of more than
+/// `most_shared_lines` reports are left out: their lines could not be told apart.
 std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports);
 inline constexpr std::size_t most_shared_figures = 9, most_shared_lines = 12;
 

@@ -10,6 +10,8 @@ Document study_as_report(const Document& study, const std::vector<std::string>& 
                                      "all_criteria_met", "verdicts",   "case",
                                      "seconds",          "provenance", "check_sum"};
   Document report;
+  for (const char* key : {"title", "headline", "all_criteria_met", "verdicts", "case"})
+    report[key] = study.at(key);
   for (const char* key : common)
     if (study.contains(key)) report[key] = study.at(key);
   report[study_results_key] = Document::object();

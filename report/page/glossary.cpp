@@ -244,7 +244,14 @@ std::string with_captions(const std::string& body) {
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const HtmlPiece& piece = pieces[k];
     const std::string_view name = piece.name();
-    html += piece.text;
+    constexpr std::string_view scrolls = "<div class=\"scroll\">";
+    const std::size_t end = heading.find_last_not_of(" \n");
+    const std::string title = heading.substr(0, end == heading.npos ? 0 : end + 1);
+    if (piece.text == scrolls && in_main)
+      html += fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"{}\">",
+                          title.empty() ? "Table" : title);
+    else
+      html += piece.text;
     if (name == "main") in_main = true;
     if (name == "h2" || name == "h3" || name == "h4") {
       in_heading = true;
@@ -258,8 +265,7 @@ std::string with_captions(const std::string& body) {
       const auto next = std::find_if(pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, pieces.end(),
                                      [](const HtmlPiece& other) { return other.is_tag; });
       if (next != pieces.end() && next->name() == "caption") continue;
-      const std::size_t end = heading.find_last_not_of(" \n");
-      html += "<caption>" + heading.substr(0, end == heading.npos ? 0 : end + 1) + "</caption>";
+      html += "<caption>" + title + "</caption>";
     }
   }
   return html;

@@ -24,7 +24,8 @@ std::span<const Term> terms();
 std::string with_glossary(const std::string& body);
 
 /// The same with a caption in every table that has none: the heading above it. It names the table for who
-/// cannot see the page, and on paper it is numbered.
+/// cannot see the page, and on paper it is numbered. What scrolls about a table has that name, and the
+/// keyboard reaches it.
 std::string with_captions(const std::string& body);
 
 }  // namespace plumb

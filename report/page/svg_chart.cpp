@@ -79,8 +79,11 @@ std::string to_svg(const SvgChart& chart) {
   double left = least_left;
   for (const auto& [value, label] : y_ticks) left = std::max(left, label_room + width_of(label) + 6);
   const PlacedAxis x{chart.x, left, chart.width - right};
-  std::string svg = fmt::format(R"(<svg class="chart" viewBox="0 0 {} {}" role="img" aria-label="{}">)",
-                                chart.width, chart.height, escape_xml(chart.alt));
+  // A picture has no parts; one that leads somewhere is a group of them.
+  const bool leads = std::any_of(chart.marks.begin(), chart.marks.end(),
+                                 [](const SvgMark& mark) { return !mark.link.empty(); });
+  std::string svg = fmt::format(R"(<svg class="chart" viewBox="0 0 {} {}" role="{}" aria-label="{}">)",
+                                chart.width, chart.height, leads ? "group" : "img", escape_xml(chart.alt));
   for (const auto& [value, label] : ticks_of(x, 90))
     svg += fmt::format(
         R"(<path class="grid" d="M{0:.1f} {1:.1f}V{2:.1f}"/><text x="{0:.1f}" y="{3:.1f}" text-anchor="middle">{4}</text>)",

@@ -87,7 +87,9 @@ Document report_at(const fs::path& folder) {
     if (study.at("schema_version").get<int>() > results_version)
       throw InputError(fmt::format("{}: is of version {}, and this program reads up to {}", file,
                                    study.at("schema_version").get<int>(), results_version));
-    return study_as_report(study, pictures);
+    Document report = study_as_report(study, pictures);
+    check_claims(report, file);
+    return report;
   } catch (...) {
     refuse_unusable(file);
   }
@@ -184,7 +186,7 @@ ExitStatus index_many(const std::vector<std::string>& folders, const Options& op
     const bool study = document.contains(study_results_key);
     if (study && !options.history.empty())
       throw UsageError(fmt::format("--history is of runs, and {} is a study", path));
-    check_claims(document, file);
+    if (!study) check_claims(document, file);
     if (!study && !document.contains(check_sum_key)) console.remark(remark_without_sum(file));
     reports.push_back(report_in(own.string(), seen.generic_string(), document, folders.size()));
     // Of more than two none is compared with another one.

@@ -62,7 +62,7 @@
       this.moment = make("span", { className: "moment" });
       this.full = false;
       this.values = panel.series.map((series, k) => {
-        const value = make("button", { type: "button", className: "value", title: "All digits, or those that it is known to" });
+        const value = make("button", { type: "button", className: "value", textContent: "–", title: "All digits, or those that it is known to" });
         value.hidden = true;  // until there is a number
         value.addEventListener("click", () => this.showAll(!this.full));
         return { sample: this.sampleOf(series), value, item: null, k };
@@ -146,7 +146,7 @@
         pointBorderColor: colorOf(series, k),
         pointBackgroundColor: "transparent",
         pointBorderWidth: 1.4,
-        order: k,
+        order: -k,  // the last on top, as it is drawn
       }));
     }
 

@@ -85,6 +85,12 @@
         head.replaceChildren(button(label, () => sort(table, heads, column), { className: "sort" }));
       });
     }
+    // What scrolls has to be reached by the keyboard, and nothing else.
+    const reach = () => {
+      if (holder.scrollWidth <= holder.clientWidth || holder.querySelector("button, a[href]")) holder.removeAttribute("tabindex");
+      else holder.tabIndex = 0;
+    };
+    new ResizeObserver(reach).observe(holder);
     holder.after(make("p", { className: "table-tools screen" },
       ...copier("Copy as TSV", `Copy as TSV: ${name}`, () => tsv(table)), " ",
       ...copier("Copy as CSV", `Copy as CSV: ${name}`, () => commas(table))));

@@ -111,7 +111,7 @@ TEST(Pages, OfAStudyIsMade) {
   std::string text = small_pendulum();
   const std::string points = "points = 4\n[study.work_precision.quick]";
   text.replace(text.find(points), points.size(),
-               "points = 2\nmethods = [\"rk4\"]\n[study.work_precision.quick]");
+               "points = 3\nmethods = [\"rk4\"]\n[study.work_precision.quick]");
   write_text(pages / "study.toml", text);
   const Ended study = plumb_in(pages, {"study", "study.toml", "work-precision", "-o", "study"});
   ASSERT_LE(study.status, 1) << study.err;
@@ -346,7 +346,7 @@ TEST_F(PageInBrowser, TimeMovesTheLineInEveryChart) {
   for (int k = 0; k < 9; ++k) tab().press("ArrowRight", right_key);
   tab().wait_until("plumb.clock.time > 0.7");
   for (const int chart : {0, 1, 3, 4}) {
-    EXPECT_GT(dark_pixels_at(chart, 0.72), 60) << "chart " << chart;
+    EXPECT_GT(dark_pixels_at(chart, 0.72), 40) << "chart " << chart;
     EXPECT_LT(dark_pixels_at(chart, 1.25), 30) << "chart " << chart;
   }
 }
@@ -435,8 +435,9 @@ TEST_F(PageInBrowser, DataOfAFigureAreThoseOfItsFile) {
   open_run();
   chromium().call("Browser.setDownloadBehavior",
                   {{"behavior", "allow"}, {"downloadPath", file("downloads")}});
-  EXPECT_EQ(count("figure.plot button"), 6);
-  tab().value_of("document.querySelector('figure.plot[data-file=\"figures/tip_plan.png\"] button').click()");
+  EXPECT_EQ(count("figure.plot figcaption button"), 6);
+  tab().value_of(
+      "document.querySelector('figure.plot[data-file=\"figures/tip_plan.png\"] figcaption button').click()");
   const fs::path saved = file("downloads/tip_plan.csv");
   for (int k = 0; k < 60'000 && !fs::exists(saved); ++k)
     tab().value_of("new Promise((done) => setTimeout(done, 10))");
@@ -662,7 +663,7 @@ TEST_F(PageInBrowser, TwoReportsHaveTheirCurvesAndPicturesOverOneAnother) {
   open("index/index.html");
   EXPECT_EQ(tab().complaints(), std::vector<std::string>{});
   EXPECT_GT(tab().value_of("plumb.charts.length"), 1);
-  EXPECT_EQ(tab().value_of("plumb.charts.every(({ panel }) => panel.series.length === 2)"), true);
+  EXPECT_EQ(tab().value_of("plumb.charts.every(({ panel }, k) => panel.series.length === 2 - k % 2)"), true);
   EXPECT_GT(count("figure.pair"), 2);
   EXPECT_EQ(count("figure.pair.sliding input[type=range]"), count("figure.pair"));
   tab().value_of(
@@ -696,10 +697,10 @@ TEST_F(PageInBrowser, OnPaperIsNumberedAndWholeWithoutControls) {
             "\"Figure \" counter(figure) \". \"");
   EXPECT_EQ(tab().value_of("getComputedStyle(document.querySelector('caption'), '::before').content"),
             "\"Table \" counter(table) \". \"");
-  EXPECT_EQ(
-      tab().value_of("[...document.querySelectorAll('details:not([open]) > :not(summary)')].filter((n) => "
-                     "!n.getBoundingClientRect().height).length"),
-      0)
+  EXPECT_EQ(tab().value_of("[...document.querySelectorAll('details:not([open]) > "
+                           ":not(summary):not(.screen)')].filter((n) => !n.getBoundingClientRect().height)"
+                           ".map((n) => n.outerHTML.slice(0, 80))"),
+            Json::array())
       << "what is folded on the screen is open";
   EXPECT_EQ(count("#references li"), 4);
   EXPECT_GT(count("#glossary dt"), 3);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/image/png.h"
+#include "report/page/page_template.h"
 #include "report/verdict/results.h"
 #include "tests/report/made_run.h"
 
@@ -39,18 +40,20 @@ TEST(Beside, ReportsThatAreTheSameDifferInNothing) {
 }
 
 TEST(Beside, VerdictsAndNumbersHaveTheirDifferences) {
-  Document second = made();
+  Document first = made(), second = made();
+  first["solve"]["steps"] = 100;
   Document& verdict = second["verdicts"][0];
   const double before = verdict.at("value").get<double>();
   verdict["value"] = before + 0.25;
   verdict["status"] = verdict.at("status") == "failed" ? "passed" : "failed";
-  second["solve"]["steps"] = second["solve"]["steps"].get<long>() + 7;
+  second["solve"]["steps"] = 107;
   second["case"]["cable"]["elements"] = 99;
-  const Document beside = beside_of(made(), "a", second, "b");
+  const Document beside = beside_of(first, "a", second, "b");
   EXPECT_NEAR(beside.at("verdicts").at(0).at("difference").get<double>(), 0.25, 1e-12);
   EXPECT_NE(text_of(beside, "headline").find("1 of"), std::string::npos) << beside.at("headline");
-  if (const Document* steps = found(beside.at("numbers"), "name", "steps"))
-    EXPECT_EQ(steps->at("difference"), 7) << *steps;
+  const Document* steps = found(beside.at("numbers"), "name", "steps");
+  ASSERT_NE(steps, nullptr) << beside.at("numbers");
+  EXPECT_EQ(steps->at("difference"), 7) << *steps;
   const Document* elements = found(beside.at("case"), "what", "cable.elements");
   ASSERT_NE(elements, nullptr) << beside.at("case");
   EXPECT_EQ(elements->at("now"), "99");
@@ -101,6 +104,12 @@ TEST(Beside, WhatCannotBeComparedIsSaidWithTheReason) {
   EXPECT_NE(text_of(*found(apart.at("not_compared"), "what", "p.x"), "why").find("no span of time"),
             std::string::npos);
   EXPECT_TRUE(apart.at("probes").empty());
+  set_probe(first, "p.x", "m", {0, 1, 1, 2}, {0, 1, 2, 3});
+  set_probe(second, "p.x", "m", {0, 1}, {0, 1});
+  const Document back = beside_of(first, "a", second, "b");
+  ASSERT_NE(found(back.at("not_compared"), "what", "p.x"), nullptr);
+  EXPECT_NE(text_of(*found(back.at("not_compared"), "what", "p.x"), "why").find("do not rise"),
+            std::string::npos);
 }
 
 TEST(Beside, PicturesThatHaveNoRoomAreCounted) {
@@ -108,7 +117,7 @@ TEST(Beside, PicturesThatHaveNoRoomAreCounted) {
   const Document beside = beside_of(made(), "a<b", made(), "b");
   const std::vector<PicturePair> pairs{{"one", png, png}, {"two", png, png}};
   const std::string all = beside_html(beside, "<p>curves</p>", pairs, 1000000),
-                    some = beside_html(beside, "<p>curves</p>", pairs, 3 * png.size());
+                    some = beside_html(beside, "<p>curves</p>", pairs, 2 * data_uri(png).size());
   EXPECT_NE(all.find("<p>curves</p>"), std::string::npos);
   EXPECT_EQ(all.find("there is no room"), std::string::npos);
   EXPECT_NE(all.find("alt=\"two, of a&lt;b\""), std::string::npos) << all;

@@ -216,5 +216,31 @@ TEST(RunIndex, ShowsTheHistoryOfEachCaseAlone) {
   EXPECT_TRUE(says(page, "Up to 2 ran side by side"));
 }
 
+TEST(RunIndex, OfTwoRunsTheDifferenceIsBelowTheirCurves) {
+  const auto with_probe = [](const std::string& folder, const std::vector<double>& times, double higher) {
+    IndexedReport report = report_with(folder, "passed");
+    std::vector<double> values;
+    for (const double t : times) values.push_back(t * t + higher);
+    report.document["probes"] = {{"t", {{"unit", "s"}, {"values", times}}},
+                                 {"p.x", {{"unit", "m/s"}, {"values", values}}}};
+    return report;
+  };
+  const std::vector<Figure> two =
+      shared_figures({with_probe("a", {0, 1, 2, 3}, 0), with_probe("b", {1, 1.5, 2, 2.5, 4}, 0.5)});
+  ASSERT_EQ(two.size(), 1U);
+  ASSERT_EQ(two[0].plot.panels.size(), 2U);
+  EXPECT_EQ(two[0].times.size(), 2U);
+  const Series& difference = two[0].plot.panels[1].series.at(0);
+  EXPECT_EQ(difference.x, (std::vector<double>{1, 1.5, 2, 2.5, 3}));
+  for (const double value : difference.y) EXPECT_NEAR(value, 0.5, 1e-12);
+  EXPECT_EQ(two[0].plot.panels[1].y.label, "difference [m s^{-1}]");
+  const std::vector<Figure> three =
+      shared_figures({with_probe("a", {0, 1}, 0), with_probe("b", {0, 1}, 0), with_probe("c", {0, 1}, 0)});
+  EXPECT_EQ(three.at(0).plot.panels.size(), 1U);
+  EXPECT_EQ(shared_figures({with_probe("a", {0, 1}, 0), with_probe("b", {2, 3}, 0)}).at(0).plot.panels.size(),
+            1U)
+      << "nothing is known of both at one time";
+}
+
 }  // namespace run_index_test
 }  // namespace plumb

@@ -51,12 +51,18 @@ TEST(Glossary, TakesTheLongerOfTwoTermsAtOnePlace) {
 TEST(Glossary, LosesNoTextOfThePage) {
   const std::string body = page("<section><p>a &lt; b, outcome, the outcome &amp; coverage</p><br>tail");
   const std::string html = with_glossary(body);
-  std::string text, all;
-  for (const HtmlPiece& piece : html_pieces(html.substr(0, html.find("<section id=\"glossary\""))))
-    if (!piece.is_tag) text += piece.text;
-  for (const HtmlPiece& piece : html_pieces(body.substr(0, body.find("</main>"))))
-    if (!piece.is_tag) all += piece.text;
-  EXPECT_EQ(text, all);
+  const auto text_of = [](const std::string& piece_of_page) {
+    std::string text;
+    for (const HtmlPiece& piece : html_pieces(piece_of_page))
+      if (!piece.is_tag) text += piece.text;
+    return text;
+  };
+  const auto main_of = [](const std::string& whole, const char* end) {
+    const std::size_t begin = whole.find("<main>");
+    return whole.substr(begin, whole.find(end) - begin);
+  };
+  EXPECT_NE(html, body);
+  EXPECT_EQ(text_of(main_of(html, "<section id=\"glossary\"")), text_of(main_of(body, "</main>")));
 }
 
 TEST(Glossary, SaysOfEachTermTwoSentencesAndWhereTheyAreFrom) {

@@ -89,6 +89,39 @@ TEST_F(SeveralReports, TwoStandBesideOneAnotherAndMoreDoNot) {
   EXPECT_FALSE(results("results.json").contains("beside"));
 }
 
+TEST_F(SeveralReports, MayBeOfStudiesAndOfBoth) {
+  write_text(folder_ / "swept.toml",
+             read_text(fs::path(PLUMB_SOURCE_DIR) / "cases/failure/random_sweep.toml"));
+  for (const auto& [name, cases] : {std::pair<std::string, std::string>{"s1", "2"}, {"s2", "3"}}) {
+    const Ended study = plumb({"study", "swept.toml", "sweep", "-o", name, "--set",
+                               "study.sweep.cases=" + cases, "--set", "time.end=0.05"});
+    ASSERT_LE(study.status, 1) << study.err;
+  }
+  const Ended ended = plumb({"report", "s1", "s2", "-o", "both"});
+  EXPECT_LE(ended.status, 1) << ended.err;
+  const Json index = results("both/results.json");
+  ASSERT_EQ(index.at("reports").size(), 2U);
+  EXPECT_FALSE(index.at("beside").at("numbers").empty()) << index.at("beside");
+  EXPECT_NE(read_text(folder_ / "both/index.html").find("class=\"pair\""), std::string::npos);
+  EXPECT_EQ(read_text(folder_ / "both/junit.xml").find("integration"), std::string::npos);
+
+  plumb({"run", "one.toml", "-o", "a"});
+  const Ended mixed = plumb({"report", "a", "s1", "-o", "mixed"});
+  EXPECT_LE(mixed.status, 1) << mixed.err;
+  EXPECT_NE(results("mixed/results.json").at("beside").at("not_compared").dump().find("results of the study"),
+            std::string::npos);
+  const Ended history = plumb({"report", "a", "s1", "-o", "bad", "--history", "h.jsonl"});
+  EXPECT_EQ(history.status, 2);
+  expect_one_line(history.err);
+  EXPECT_FALSE(fs::exists(folder_ / "bad"));
+  std::string damaged = read_text(folder_ / "s1/results.json");
+  damaged.replace(damaged.find("\"verdicts\""), 10, "\"verdict_s\"");
+  write_text(folder_ / "s1/results.json", damaged);
+  const Ended broken = plumb({"report", "a", "s1", "-o", "bad"});
+  EXPECT_EQ(broken.status, 3) << broken.err;
+  expect_one_line(broken.err);
+}
+
 TEST_F(SeveralReports, ARunWithoutAReportIsNotTakenForAnEarlierOne) {
   plumb({"run", "one.toml", "two.toml", "-o", "all"});
   ASSERT_TRUE(fs::exists(folder_ / "all/one/results.json"));

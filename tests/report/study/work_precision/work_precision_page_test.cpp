@@ -146,7 +146,9 @@ TEST(StudyPage, LeavesNoTemplateTagBehind) {
 }
 
 TEST(StudyPage, ShowsEveryTableOfAStudy) {
-  const std::string page = page_of(made_study());
+  // Terms are links to the glossary.
+  const std::string page =
+      std::regex_replace(page_of(made_study()), std::regex("<a class=\"term\"[^>]*>([^<]*)</a>"), "$1");
   for (const char* text :
        {"The cheapest method for each decade", "no run is both cheaper and closer", "4.00 ± 0.00",
         "grid convergence index is 0.00031 m with a safety factor of 1.25 (made standard)",
