@@ -152,13 +152,13 @@ Json work_precision_json(const WorkPrecision& study) {
   WorkPrecision written = study;
   ObjectWriter whole(NotFinite::null);
   members_of_study(whole, written);
+  whole.json["given_curves"] = given_curves_json(study);
   Json& runs = whole.json["runs"] = Json::array();
   for (WorkPrecisionRun& run : written.runs) {
     ObjectWriter a(NotFinite::null);
     members_of_run(a, run, study.length);
     runs.push_back(std::move(a.json));
   }
-  whole.json["given_curves"] = given_curves_json(study);
   for (const auto& [name, value] : study.provenance) whole.json["provenance"][name] = value;
   return std::move(whole.json);
 }
