@@ -153,6 +153,7 @@ Json work_precision_json(const WorkPrecision& study) {
   WorkPrecision written = study;
   ObjectWriter whole(NotFinite::null);
   members_of_study(whole, written);
+  whole.json["given_curves"] = given_curves_json(study);
   Json& runs = whole.json["runs"] = Json::array();
   for (WorkPrecisionRun& run : written.runs) {
     ObjectWriter a(NotFinite::null);
@@ -160,7 +161,6 @@ Json work_precision_json(const WorkPrecision& study) {
     runs.push_back(std::move(a.json));
   }
   whole.json["conclusion"] = conclusion_json(study);
-  whole.json["given_curves"] = given_curves_json(study);
   for (const auto& [name, value] : study.provenance) whole.json["provenance"][name] = value;
   return std::move(whole.json);
 }

@@ -438,6 +438,21 @@ TEST(Escape, MarkdownCellStaysOneCell) {
     }
 }
 
+TEST(Escape, MarkdownThatIsTooLongIsCutBetweenCharacters) {
+  const std::string text = "a<ρ|é&*…_中~" + std::string("😀") + "end";
+  const std::string whole = escape_markdown(text);
+  EXPECT_EQ(escape_markdown(text, whole.size()), whole);
+  for (std::size_t most = 8; most < whole.size(); ++most) {
+    const std::string cut = escape_markdown(text, most);
+    EXPECT_LE(cut.size(), most);
+    ASSERT_TRUE(cut.ends_with("…")) << most << ": " << cut;
+    const std::string kept = cut.substr(0, cut.size() - std::string_view("…").size());
+    EXPECT_EQ(whole.substr(0, kept.size()), kept) << most;
+    EXPECT_EQ(escape_markdown(kept).find("\uFFFD"), std::string::npos) << "half a character: " << cut;
+    EXPECT_FALSE(kept.ends_with("\\") || kept.ends_with("&lt")) << "half an escape: " << cut;
+  }
+}
+
 TEST(Escape, MarkdownCodeStaysCode) {
   EXPECT_EQ(markdown_code("plumb run a"), "`plumb run a`");
   EXPECT_EQ(markdown_code("a`b``c\nd"), "``` a`b``c d ```");
