@@ -52,24 +52,32 @@ PngTexts picture_texts(const GlContext& context, const std::string& title) {
 
 namespace {
 
+/// Each in the efforts that are asked for: `small` for its file, `page` for a page.
 std::vector<Picture> drawn(const std::vector<Figure>& figures, DrawingTools& tools, const std::string& title,
-                           PngEffort effort) {
+                           bool for_file, bool for_page) {
   const PngTexts texts = picture_texts(tools.context, title);
   // Each is encoded beside the drawing of the next.
   constexpr std::size_t waiting = 2;
   std::vector<Picture> pictures;
-  std::deque<std::future<std::string>> encoding;
+  struct Encoded {
+    std::string png, page_png;
+  };
+  std::deque<std::future<Encoded>> encoding;
   const auto take_first = [&] {
     const Figure& figure = figures[pictures.size()];
+    Encoded encoded = encoding.front().get();
     pictures.push_back({fmt::format("figures/{}.png", figure.name), figure.title, figure.alt,
-                        figure.plot.height > figure.plot.width, encoding.front().get(), figure.plot,
-                        figure.times});
+                        figure.plot.height > figure.plot.width, std::move(encoded.png), figure.plot,
+                        figure.times, std::move(encoded.page_png)});
     encoding.pop_front();
   };
   for (const Figure& figure : figures) {
     stop_if_interrupted();
     const auto encode = [image = std::make_shared<const Image>(tools.plots.draw(figure.plot)), &texts,
-                         effort] { return encode_png(*image, texts, effort); };
+                         for_file, for_page] {
+      return Encoded{for_file ? encode_png(*image, texts) : "",
+                     for_page ? encode_png(*image, {}, PngEffort::page) : ""};
+    };
     // Where no thread is to be had the picture is encoded once it is asked for.
     encoding.push_back(std::async(std::launch::async | std::launch::deferred, encode));
     if (encoding.size() > waiting) take_first();
@@ -78,20 +86,24 @@ std::vector<Picture> drawn(const std::vector<Figure>& figures, DrawingTools& too
   return pictures;
 }
 
+void write(const std::vector<Picture>& pictures, const std::vector<Figure>& figures, OutputFolder& folder) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    folder.write(pictures[i].file, pictures[i].png);
+    folder.write(fmt::format("figures/{}.csv", figures[i].name), to_csv(figures[i].plot));
+  }
+}
+
 }  // namespace
 
 std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTools& tools,
                                    const std::string& title) {
-  return drawn(figures, tools, title, PngEffort::small);
+  return drawn(figures, tools, title, true, false);
 }
 
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
                                   const std::string& title, OutputFolder& folder) {
   std::vector<Picture> pictures = drawn_figures(figures, tools, title);
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    folder.write(pictures[i].file, pictures[i].png);
-    folder.write(fmt::format("figures/{}.csv", figures[i].name), to_csv(figures[i].plot));
-  }
+  write(pictures, figures, folder);
   return pictures;
 }
 
@@ -99,19 +111,17 @@ std::vector<Picture> draw_for_page(const std::vector<Figure>& figures, DrawingTo
                                    const std::string& title, OutputFolder& folder) {
   // With these a page of a study stays below 5 MB, as base64 makes four bytes of three.
   constexpr std::size_t most_bytes = 2'800'000;
-  std::vector<Picture> pictures = draw_figures(figures, tools, title, folder);
-  std::size_t bytes = 0;
+  std::vector<Picture> pictures = drawn(figures, tools, title, true, true);
+  write(pictures, figures, folder);
   std::vector<Figure> dark = figures;
+  for (Figure& figure : dark) figure.plot.theme = SceneTheme::dark;
+  const std::vector<Picture> on_dark = drawn(dark, tools, title, false, true);
+  std::size_t bytes = 0;
+  for (const Picture& picture : pictures) bytes += picture.page_png.size();
   for (std::size_t k = 0; k < pictures.size(); ++k) {
-    dark[k].plot.theme = SceneTheme::dark;
-    pictures[k].page_png = encode_png(decode_png(pictures[k].png, pictures[k].file), {}, PngEffort::page);
-    bytes += pictures[k].page_png.size();
-  }
-  const std::vector<Picture> on_dark = drawn(dark, tools, title, PngEffort::page);
-  for (std::size_t k = 0; k < pictures.size(); ++k) {
-    bytes += on_dark[k].png.size();
+    bytes += on_dark[k].page_png.size();
     if (bytes > most_bytes) break;
-    pictures[k].dark_png = on_dark[k].png;
+    pictures[k].dark_png = on_dark[k].page_png;
   }
   return pictures;
 }
