@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/model/cable.h"
 #include "engine/run/cable_field.h"
@@ -9,6 +10,7 @@
 #include "engine/run/field_map.h"
 #include "report/figure/ending_mark.h"
 #include "report/figure/number_markup.h"
+#include "report/figure/round_off.h"
 #include "report/figure/run_figures.h"
 
 namespace plumb {
@@ -39,6 +41,15 @@ Series along(const FieldEnvelope& envelope, std::vector<double> values, std::str
   return series;
 }
 
+/// What rounding makes of the curvature of a straight cable, 1/m: places of the size of its length are
+/// rounded by some units in the last place, and the second derivative of the shape functions has 6/l² before
+/// them.
+double curvature_round_off(const Cable& cable, int elements) {
+  constexpr double units = 8;
+  const double element = cable.length() / elements;
+  return units * std::numeric_limits<double>::epsilon() * cable.length() * 6 / (element * element);
+}
+
 std::optional<Figure> range_figure(const Run& run, ColorField field, const std::string& quantity,
                                    const std::string& label) {
   if (run.trajectory.times.empty()) return {};
@@ -59,6 +70,8 @@ std::optional<Figure> range_figure(const Run& run, ColorField field, const std::
   panel.y.label = axis_label(label, field);
   panel.y.zero_line = true;
   panel.series = {std::move(greatest), std::move(mean), std::move(least)};
+  if (field == ColorField::curvature)
+    mark_round_off(panel, curvature_round_off(cable, run.trajectory.elements));
   Figure figure;
   figure.title = title_of(run, fmt::format("Range of the {} over time", quantity));
   const auto lowest = std::min_element(envelope.least.begin(), envelope.least.end(), [](double a, double b) {

@@ -16,7 +16,7 @@
 #include "tests/report/made_run.h"
 #include "tests/report/program/program.h"
 
-// The page of a run in Debian's Chromium. All tests read the same pages, which the first ones make: of a
+// The page of a run in Debian's Chromium. All tests read the same pages, which the first one makes: of a
 // run of the pendulum, of one that failed, of both beside one another, of a study, and of one with hostile
 // texts. They do so in one browser, which the second one leaves for them, or each in its own where there is
 // none.
@@ -105,9 +105,6 @@ TEST(Pages, AreMade) {
   write_text(pages / "hostile.html", hostile_page());
   const Ended both = plumb_in(pages, {"report", "run", "failed", "-o", "index", "--history", "runs.jsonl"});
   ASSERT_EQ(both.status, 4) << both.err;
-}
-
-TEST(Pages, OfAStudyIsMade) {
   std::string text = small_pendulum();
   const std::string points = "points = 4\n[study.work_precision.quick]";
   text.replace(text.find(points), points.size(),

@@ -57,6 +57,22 @@ TEST(FieldFigures, AreRangesOfTensionAndCurvatureAndAMapOfTheStrain) {
   EXPECT_EQ(map.y_edges.back(), 2) << "m";
 }
 
+TEST(FieldFigures, ShowTheCurvatureOfAStraightCableAsNothing) {
+  for (const bool bent : {false, true}) {
+    plumb::Run run = run_with("a");
+    if (!bent)
+      for (Eigen::VectorXd& q : run.trajectory.q) q[7] = 0;
+    const std::vector<Figure> found = field_figures(run);
+    const Panel& curvature = figure_of(found, "curvature_range").plot.panels[0];
+    double greatest = 0;
+    for (const Series& series : curvature.series)
+      for (const double value : series.y) greatest = std::max(greatest, std::abs(value));
+    EXPECT_EQ(greatest > 1e-6, bent) << greatest;
+    EXPECT_EQ(curvature.y.range.has_value(), !bent);
+    EXPECT_EQ(curvature.rules.size(), bent ? 0U : 1U);
+  }
+}
+
 TEST(FieldFigures, SayWhereTheGreatestTensionIsAndWhen) {
   // EA is 1 N. In the middle of the only element, of 2 m, the slope is (1, -0.75 t²): a strain of 0.28125 at
   // 1 s.

@@ -62,7 +62,7 @@ TEST_F(PrintedPage, ThatTheBrowserDoesNotPrintWholeLeavesTheFolderAsItWas) {
        {std::string("exit 1"), std::string("exit 0"), whole_name + "printf '%%PDF-1.4' > \"$f\"",
         whole_name + "printf 'no PDF %%%%EOF' > \"$f\"",
         whole_name + "printf '%%PDF-1.4 %%%%EOF' > \"$f\"; exit 1"}) {
-    const Ended ended = report_with_path(browser_that(does), {"run", "--pdf"});
+    const Ended ended = report_with_path(browser_that(does), {"--from", "run/results.json", "--pdf"});
     EXPECT_EQ(ended.status, 5) << does << ": " << ended.err;
     expect_one_line(ended.err);
     EXPECT_EQ(read_text(folder_ / "run/manifest.json"), manifest) << does;
@@ -87,7 +87,7 @@ TEST_F(PrintedPage, IsAPdfWhereChromiumIsThere) {
   if (run_command({"/bin/sh", "-c", "command -v chromium chromium-browser google-chrome"}, folder_.path())
           .out.empty())
     GTEST_SKIP() << "none of chromium, chromium-browser and google-chrome is installed";
-  const Ended ended = plumb_in(folder_.path(), {"report", "run", "--pdf"});
+  const Ended ended = plumb_in(folder_.path(), {"report", "--from", "run/results.json", "--pdf"});
   ASSERT_LE(ended.status, 1) << ended.err;
   const std::string pdf = read_text(folder_ / "run/report.pdf");
   EXPECT_TRUE(pdf.starts_with("%PDF-")) << pdf.substr(0, 20);
