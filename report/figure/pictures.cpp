@@ -102,7 +102,7 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTo
 
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
                                   const std::string& title, OutputFolder& folder) {
-  std::vector<Picture> pictures = drawn_figures(figures, tools, title);
+  std::vector<Picture> pictures = drawn(figures, tools, title, true, true);
   write(pictures, figures, folder);
   return pictures;
 }
