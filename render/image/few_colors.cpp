@@ -16,7 +16,9 @@ Rgb color_at(const Image& image, std::size_t pixel) {
 
 /// The upper four bits of each part.
 std::uint32_t group_of(const Rgb& color) {
-  return (color[0] >> 4U << 8U) | (color[1] >> 4U << 4U) | (color[2] >> 4U);
+  std::uint32_t group = 0;
+  for (const std::uint8_t part : color) group = group << 4U | std::uint32_t{part} >> 4U;
+  return group;
 }
 
 struct Group {

@@ -31,6 +31,12 @@ bool has_place(const OutcomeMap& map, ToldPlace place) {
          std::find(map.values.begin(), map.values.end(), place.value) != map.values.end();
 }
 
+/// Out of time is slow, and what could not be judged is not known.
+bool is_failure(Outcome outcome) {
+  return !is_stable(outcome) && outcome != Outcome::out_of_time && outcome != Outcome::completed &&
+         outcome != Outcome::not_run;
+}
+
 MethodReach reach_of(const OutcomeMap& map, double value) {
   MethodReach reach;
   reach.map = &map;
@@ -40,12 +46,12 @@ MethodReach reach_of(const OutcomeMap& map, double value) {
   if (!accurate.empty()) reach.accurate = map.settings[accurate.to - 1];
   if (!accurate.empty() && accurate.from > 0) reach.accurate_from = map.settings[accurate.from];
   if (!stable.empty()) reach.stable = map.settings[stable.to - 1];
-  const std::size_t next = std::max(stable.to, accurate.to);
-  // Of no stable stretch the first setting is the one that fails.
-  const std::size_t failing = stable.empty() && accurate.empty() ? 0 : next;
-  if (failing < map.settings.size()) {
-    reach.fails = map.settings[failing];
-    reach.beyond = map.points[reach.at * map.settings.size() + failing].outcome;
+  const std::size_t n = map.settings.size();
+  for (std::size_t k = 0; k < n && reach.fails < 0; ++k) {
+    const Outcome outcome = map.points[reach.at * n + k].outcome;
+    if (!is_failure(outcome)) continue;
+    reach.fails = map.settings[k];
+    reach.then = outcome;
   }
   return reach;
 }
@@ -78,9 +84,7 @@ std::string best_in_words(const std::vector<MethodReach>& reaches, bool by_step,
 
 std::string failures_in_words(std::vector<MethodReach> reaches) {
   const auto count = std::ssize(reaches);
-  std::erase_if(reaches, [](const MethodReach& reach) {
-    return reach.fails < 0 || reach.beyond == Outcome::out_of_time;
-  });
+  std::erase_if(reaches, [](const MethodReach& reach) { return reach.fails < 0; });
   if (reaches.empty())
     return fmt::format("{} at no step that was tried.", count == 1 ? "It fails" : "They fail");
   std::stable_sort(reaches.begin(), reaches.end(),
@@ -88,10 +92,10 @@ std::string failures_in_words(std::vector<MethodReach> reaches) {
   std::vector<std::string> names;
   for (const MethodReach& reach : reaches)
     names.push_back(fmt::format("{} at {} s ({})", label_in_sentence(reach.map->label),
-                                setting_text(reach.fails), word(reach.beyond)));
+                                setting_text(reach.fails), word(reach.then)));
   if (count == 1)
     return fmt::format("It fails at {} s ({}).", setting_text(reaches.front().fails),
-                       word(reaches.front().beyond));
+                       word(reaches.front().then));
   return fmt::format("{} of {} methods {} within the steps tried, {}{}.", reaches.size(), count,
                      reaches.size() == 1 ? "fails" : "fail", reaches.size() == 1 ? "" : "the first ",
                      some_of(names));
@@ -174,7 +178,7 @@ nlohmann::ordered_json stability_conclusion_json(const Stability& study) {
                                  {"accurate_up_to", reach.accurate},
                                  {"stable_up_to", reach.stable},
                                  {"fails_at", reach.fails},
-                                 {"then", word(reach.beyond)}});
+                                 {"then", word(reach.then)}});
   return json;
 }
 

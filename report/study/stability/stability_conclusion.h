@@ -11,12 +11,12 @@ namespace plumb {
 /// How far a method goes at one value of a map.
 struct MethodReach {
   const OutcomeMap* map = nullptr;
-  std::size_t at = 0;                 ///< place of the value in the map
-  double accurate = -1;               ///< greatest setting of its accurate stretch; -1: none
-  double accurate_from = -1;          ///< its smallest, where a smaller one was tried; else -1
-  double stable = -1;                 ///< greatest setting of its stable stretch; -1: none
-  double fails = -1;                  ///< the next setting above that; -1: none was tried
-  Outcome beyond = Outcome::not_run;  ///< how the run with that ended
+  std::size_t at = 0;               ///< place of the value in the map
+  double accurate = -1;             ///< greatest setting of its accurate stretch; -1: none
+  double accurate_from = -1;        ///< its smallest, where a smaller one was tried; else -1
+  double stable = -1;               ///< greatest setting of its stable stretch; -1: none
+  double fails = -1;                ///< smallest setting at which it fails; -1: at none
+  Outcome then = Outcome::not_run;  ///< how that run ended
 };
 
 /// Where in its maps a study is told in short.

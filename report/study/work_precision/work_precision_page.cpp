@@ -354,7 +354,7 @@ void set_conclusion(data& values, const WorkPrecision& study) {
     if (mesh.run) row = row_of(*mesh.run);
     row["has_run"] = mesh.run.has_value();
     row["mesh"] = std::to_string(mesh.elements);
-    row["mesh_error"] = mesh.error < 0 ? "not known" : number(mesh.error) + " m";
+    row["mesh_error"] = mesh.error >= 0 ? number(mesh.error) + " m" : "not known";
     meshes.push_back(row);
     known = known || mesh.error >= 0;
   }

@@ -99,6 +99,17 @@ TEST(StabilityConclusion, IsTrueWhereNoneIsAccurateOrNothingWasRun) {
 TEST(StabilityConclusion, ARunThatIsOutOfTimeIsNoFailure) {
   const StabilityConclusion slow = conclude(study_of({map_of("a", {"Taa"}), map_of("b", {"aaT"})}));
   EXPECT_EQ(slow.details, "They fail at no step that was tried.");
+  Stability unknown = study_of({map_of("a", {"aaa"})});
+  unknown.maps[0].points[2].outcome = Outcome::completed;
+  EXPECT_EQ(conclude(unknown).details, "It fails at no step that was tried.");
+}
+
+TEST(StabilityConclusion, AMethodThatFailsWithShortStepsOnlyFailsAllTheSame) {
+  const StabilityConclusion found = conclude(study_of({map_of("bdf", {"Uaai"}), map_of("rk4", {"aaaU"})}));
+  EXPECT_EQ(
+      found.details,
+      "2 of 2 methods fail within the steps tried, the first bdf at 1.0e-4 s (unstable) and rk4 at 8.0e-4 s "
+      "(unstable).");
 }
 
 TEST(StabilityConclusion, HoldsThePredictedLimitsAgainstThoseFound) {

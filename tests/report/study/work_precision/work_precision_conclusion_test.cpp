@@ -164,7 +164,7 @@ TEST(WorkPrecisionConclusion, SaysWhichMethodsFailWithTooCoarseASetting) {
     any.runs[1].time_error = {1, 1, 1, 1};       // and 0.005 s: half a length off
     any.runs[3].outcome = Outcome::diverged;     // but for one between good ones
     any.runs[5].outcome = Outcome::out_of_time;  // second: slow, which is no failure
-    for (int k = 10; k < 15; ++k) any.runs[k].outcome = Outcome::no_convergence;  // fourth: all
+    for (std::size_t k = 10; k < 15; ++k) any.runs[k].outcome = Outcome::no_convergence;  // fourth: all
   });
   const WorkPrecisionConclusion all = conclude(study);
   ASSERT_EQ(all.failing.size(), 2U);
