@@ -12,6 +12,7 @@
 #include "engine/base/parse_json.h"
 #include "engine/base/place.h"
 #include "render/image/apng.h"
+#include "render/image/png.h"
 #include "render/image/png_file.h"
 #include "report/base/document_value.h"
 #include "report/document/document.h"
@@ -68,6 +69,7 @@ class PictureReader {
       picture.alt = item.at("alt").get<std::string>();
       picture.tall = item.at("tall").get<bool>();
       picture.png = read(picture.file);
+      picture.page_png = encode_png(decode_png(picture.png, picture.file), {}, PngEffort::page);
       pictures.push_back(std::move(picture));
     }
     return pictures;

@@ -325,7 +325,7 @@ const std::vector<Row>& rows() {
       {"a variant whose figure is not a number is not as expected", varied({nan, 0.5}), "failed"},
       {"a variant whose figure is infinite is not as expected", varied({inf}), "failed"},
 
-      {"a budget repeats a series to its distance", budgeted(number(0.01)), "0.01 "},
+      {"a budget repeats a series to its distance", budgeted(number(0.01)), "0.01"},
       {"a budget of no series repeats nothing", budgeted(Document::array()), "not compared"},
       {"a budget that found no distance repeats nothing", budgeted(number(-1)), "not compared"},
       {"a budget that failed repeats nothing", budgeted(Document::array(), "diverged"), "diverged"},
