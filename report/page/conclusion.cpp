@@ -54,7 +54,7 @@ std::string distance_of(const Verdict& worst, const std::string& reference, cons
                      what, column, number(worst.limit), unit_after(worst.unit));
 }
 
-std::string sentence_of(const Document& document, const std::string& clause) {
+std::string sentence_of(const Document& document) {
   const Document& solve = document.at("solve");
   const std::vector<Verdict> verdicts = verdicts_of(document);
   const auto count = [&](VerdictStatus status) {
@@ -75,8 +75,8 @@ std::string sentence_of(const Document& document, const std::string& clause) {
         : all == 1 ? "its one criterion could not be judged."
                    : fmt::format("none of its {} criteria could be judged.", all));
   if (all == 0 && others == 0)
-    return fmt::format("The {} completed and was held against nothing: how accurate it is cannot be told{}.",
-                       run_of(document), clause);
+    return fmt::format("The {} completed and was held against nothing: how accurate it is cannot be told.",
+                       run_of(document));
 
   std::vector<std::string> agreements, distances, differences;
   for (const Document& reference : document.at("references")) {
@@ -111,15 +111,20 @@ std::string sentence_of(const Document& document, const std::string& clause) {
     text = fmt::format("The {} completed, but none of {} could be judged", run_of(document), of_all);
   else if (not_run > 0)
     text += fmt::format("; {} of {} could not be judged", not_run, of_all);
-  return text + clause + ".";
+  return text + ".";
 }
 
 }  // namespace
 
-Conclusion conclusion_of(const Document& document, const std::string& clause) {
+Conclusion conclusion_of(const Document& document, const std::vector<std::string>& clauses) {
   Conclusion conclusion;
   conclusion.good = document.at("all_criteria_met").get<bool>() && !document.at("verdicts").empty();
-  conclusion.sentence = sentence_of(document, clause);
+  conclusion.sentence = sentence_of(document);
+  for (std::string clause : clauses) {
+    if (clause.empty()) continue;
+    if (clause.front() >= 'a' && clause.front() <= 'z') clause.front() += 'A' - 'a';
+    conclusion.details += (conclusion.details.empty() ? "" : " ") + clause + ".";
+  }
   if (document.at("complete").get<bool>()) return conclusion;
   conclusion.trouble = document.at("solve").at("message").get<std::string>();
   constexpr std::string_view before_help = "; what would help: ";

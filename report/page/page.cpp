@@ -93,12 +93,13 @@ data source_rows(const Document& document) {
 std::string to_page(const Document& document, const Pictures& pictures,
                     std::span<const PageSection> known_sections) {
   std::vector<PageSection> sections;
-  std::string css, clause;
+  std::string css;
+  std::vector<std::string> clauses;
   for (const PageSection& section : known_sections) {
     if (!document.contains(section.key)) continue;
     sections.push_back(section);
     css += section.css;
-    if (section.clause) clause += section.clause(document);
+    if (section.clause) clauses.push_back(section.clause(document));
   }
   const auto text = [&](const char* key) { return document.at(key).get<std::string>(); };
   const Document &the_case = document.at("case"), &solve = document.at("solve"),
@@ -119,9 +120,11 @@ std::string to_page(const Document& document, const Pictures& pictures,
         return load.at("follows").get<bool>() || load.at("kind") == word(LoadKind::moment);
       });
   page["title"] = text("title");
-  const Conclusion conclusion = conclusion_of(document, clause);
+  const Conclusion conclusion = conclusion_of(document, clauses);
   page["good"] = conclusion.good;
   page["sentence"] = conclusion.sentence;
+  page["details"] = conclusion.details;
+  page["has_details"] = !conclusion.details.empty();
   page["trouble"] = conclusion.trouble;
   page["help"] = conclusion.help;
   page["has_help"] = !conclusion.help.empty();

@@ -130,8 +130,13 @@ Results evaluate(const Run& run, const Stages& stages, const std::vector<RunSect
 
 std::string met_in_words(const std::vector<Verdict>& verdicts) {
   const long others = count_of(verdicts, VerdictStatus::another_model);
-  return fmt::format("{} of {} met{}.", count_of(verdicts, VerdictStatus::passed),
-                     counted(std::ssize(verdicts) - others, "criterion", "criteria"), beside(others));
+  std::string missed;
+  if (count_of(verdicts, VerdictStatus::failed) == 1)
+    for (const Verdict& verdict : verdicts)
+      if (verdict.status == VerdictStatus::failed)
+        missed = fmt::format("; not met is {}: {}", verdict.name, verdict.message);
+  return fmt::format("{} of {} met{}{}.", count_of(verdicts, VerdictStatus::passed),
+                     counted(std::ssize(verdicts) - others, "criterion", "criteria"), beside(others), missed);
 }
 
 std::string outcome_reason(const Results& results) {

@@ -73,15 +73,21 @@ std::string step_in_words(const OutcomeMap& map, std::size_t at) {
     words = accurate.to == n ? fmt::format("accurate at all of {}, up to {}",
                                            map.by_step ? "the steps" : "the tolerances", text(n - 1))
                              : fmt::format("accurate up to {} of {}", what, text(accurate.to - 1));
+  else if (accurate.from + 1 == accurate.to)
+    words = fmt::format("accurate only with {} of {}", what, text(accurate.from));
   else
     words = fmt::format("accurate with {} from {} to {}", what, text(accurate.from), text(accurate.to - 1));
   if (accurate.from > 0 && !accurate.empty())
     words += fmt::format(" ({} at {})", word(map.points[at * n + accurate.from - 1].outcome),
                          text(accurate.from - 1));
-  if (!stable.empty() && stable.to > accurate.to)
-    words += stable.to == n
-                 ? fmt::format(", stable up to the {}, {}", map.by_step ? "longest" : "loosest", text(n - 1))
-                 : fmt::format(", stable up to {}", text(stable.to - 1));
+  if (!stable.empty() && stable.to > accurate.to) {
+    if (stable.from > accurate.from)
+      words += fmt::format(", stable only from {} to {}", text(stable.from), text(stable.to - 1));
+    else if (stable.to == n)
+      words += fmt::format(", stable up to the {}, {}", map.by_step ? "longest" : "loosest", text(n - 1));
+    else
+      words += fmt::format(", stable up to {}", text(stable.to - 1));
+  }
   const std::size_t next = std::max(stable.to, accurate.to);
   if (next < n) words += fmt::format("; {} at {}", word(map.points[at * n + next].outcome), text(next));
   return words + limit_in_words(map, at);

@@ -189,10 +189,13 @@ StudyReport evaluate_economy(const EconomyStudy& study, const Stages& stages) {
                                  seconds_in_words(own->seconds), seconds_in_words(study.safe_seconds));
   if (!study.scenes.empty()) {
     const Counts counts = counts_of(study);
-    report.details += fmt::format(
-        "{}Of {}, {} met the tolerance that the choice was said to meet, {} did not.",
-        report.details.empty() ? "" : " ", counted(std::ssize(study.scenes), "random scene", "random scenes"),
-        counts.hold - counts.missed, counts.missed);
+    const std::string scenes = counted(std::ssize(study.scenes), "random scene", "random scenes");
+    report.details += report.details.empty() ? "" : " ";
+    report.details +=
+        counts.missed == 0 && counts.hold == std::ssize(study.scenes)
+            ? fmt::format("The choice for each of {} met its tolerance.", scenes)
+            : fmt::format("Of {}, {} met the tolerance that the choice was said to meet, {} did not.", scenes,
+                          counts.hold - counts.missed, counts.missed);
   }
   report.counts = met_in_words(report.verdicts);
   report.results["economy"] = study_document(study);

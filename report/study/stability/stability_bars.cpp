@@ -145,6 +145,8 @@ std::string reach_text(const MethodReach& reach, bool by_step) {
   if (reach.accurate_from > 0)
     return fmt::format("{} to {}", setting_text(reach.accurate_from), text(reach.accurate));
   if (reach.accurate > 0) return "accurate to " + text(reach.accurate);
+  if (reach.stable_from > 0)
+    return fmt::format("stable only {} to {}", setting_text(reach.stable_from), text(reach.stable));
   return reach.stable > 0 ? "stable to " + text(reach.stable) : std::string("never stable");
 }
 

@@ -46,6 +46,7 @@ MethodReach reach_of(const OutcomeMap& map, double value) {
   if (!accurate.empty()) reach.accurate = map.settings[accurate.to - 1];
   if (!accurate.empty() && accurate.from > 0) reach.accurate_from = map.settings[accurate.from];
   if (!stable.empty()) reach.stable = map.settings[stable.to - 1];
+  if (!stable.empty() && stable.from > 0) reach.stable_from = map.settings[stable.from];
   const std::size_t n = map.settings.size();
   for (std::size_t k = 0; k < n && reach.fails < 0; ++k) {
     const Outcome outcome = map.points[reach.at * n + k].outcome;

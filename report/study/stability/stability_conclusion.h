@@ -15,6 +15,7 @@ struct MethodReach {
   double accurate = -1;             ///< greatest setting of its accurate stretch; -1: none
   double accurate_from = -1;        ///< its smallest, where a smaller one was tried; else -1
   double stable = -1;               ///< greatest setting of its stable stretch; -1: none
+  double stable_from = -1;          ///< its smallest, where a smaller one was tried; else -1
   double fails = -1;                ///< smallest setting at which it fails; -1: at none
   Outcome then = Outcome::not_run;  ///< how that run ended
 };

@@ -89,7 +89,9 @@ void set_words(data& values, const Stability& study) {
   }
   const ToldPlace own = own_place(study);
   values["bars_intro"] = fmt::format(
-      "What became of every run, {}: what bears the greatest step and stays accurate, to {:g} m, first.",
+      "What became of every run, {}, sorted by the longest step that stays accurate to {:g} m. A run stands "
+      "for "
+      "the settings half way to its neighbours.",
       place_in_words(study, own.axis), study.tolerance);
   values["words_intro"] =
       fmt::format("The steps that a user would want, from the maps over {}: {}.",

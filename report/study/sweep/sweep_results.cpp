@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/integrate/method_info.h"
+#include "engine/study/sweep/sweep_cases.h"
 #include "engine/study/sweep/sweep_json.h"
 #include "report/base/escape.h"
 #include "report/verdict/results.h"
@@ -85,15 +86,19 @@ Json counts_json(const OutcomeCounts& counts, const std::vector<Outcome>& shown)
 void conclude(StudyReport& report, const Sweep& sweep) {
   const long all = std::ssize(sweep.runs), wrong = wrongly_accurate(sweep), faults = faulty(sweep),
              infinite = not_finite(sweep);
-  const std::string cases = counted(all, "random case", "random cases");
+  // Runs of one model are not independent of one another.
+  const long models = (all + runs_of_a_model - 1) / runs_of_a_model;
+  const std::string cases =
+      fmt::format("{} of {}", counted(all, "run", "runs"), counted(models, "random model", "random models"));
   if (all == 0) {
     report.headline = "No random case was run, so nothing is claimed.";
   } else if (wrong + faults + infinite == 0) {
-    // Of n cases that all hold: (1 − p)ⁿ = 5 %.
-    const double most = 1 - std::pow(0.05, 1 / static_cast<double>(all));
+    // Of n models that all hold: (1 − p)ⁿ = 5 %.
+    const double most = 1 - std::pow(0.05, 1 / static_cast<double>(models));
     report.headline = fmt::format(
         "Every run tells the truth: of {} none ends accurate beyond its tolerance, crashes, hangs or holds a "
-        "number that is not finite; with 95 % confidence less than {:.2g} % of such cases do.",
+        "number that is not finite; with 95 % confidence less than {:.2g} % of such models have one that "
+        "does.",
         cases, 100 * most);
   } else {
     report.headline = fmt::format(

@@ -155,8 +155,8 @@ void add_uncertainty(std::vector<Verdict>& verdicts, const std::vector<SeriesErr
   }
 }
 
-/// "2 of 6 comparisons stay within their uncertainty, 2 u ≥ 0.01 m at most, at all times; published: tip.x is
-/// beyond it most often, at 21 % of them".
+/// "2 of 6 comparisons stay within their uncertainty (2 u ≥ 0.01 m at most) at all times; published:
+/// tip.x is beyond it most often, at 21 % of the times".
 std::string uncertainty_in_words(const Json& uncertainty) {
   const Json& all = uncertainty.at("series");
   const double k = uncertainty.at("coverage_factor").get<double>();
@@ -182,16 +182,17 @@ std::string uncertainty_in_words(const Json& uncertainty) {
                                  counted(std::ssize(all), "comparison", "comparisons"),
                                  within == 1 ? "stays" : "stay", within == 1 ? "its" : "their");
   if (greatest >= 0)
-    text += fmt::format(", {:g} u {} {:.2g} {} at most,", k, at_least ? "≥" : "=", greatest, unit);
+    text += fmt::format(" ({:g} u {} {:.2g} {} at most)", k, at_least ? "≥" : "=", greatest, unit);
   text += " at all times";
   if (within < std::ssize(all))
-    text += fmt::format("; {} is beyond it most often, at {:.0f} % of them", worst, 100 * (1 - least_share));
+    text +=
+        fmt::format("; {} is beyond it most often, at {:.0f} % of the times", worst, 100 * (1 - least_share));
   return text;
 }
 
 std::string uncertainty_clause(const Document& document) {
   const Document& uncertainty = document.at(uncertainty_key);
-  return uncertainty.at("series").empty() ? "" : "; " + uncertainty_in_words(uncertainty);
+  return uncertainty.at("series").empty() ? "" : uncertainty_in_words(uncertainty);
 }
 
 std::string uncertainty_html(const Document& uncertainty, const std::vector<Picture>& pictures) {

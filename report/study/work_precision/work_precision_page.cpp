@@ -447,7 +447,7 @@ std::string mesh_clause(const Document& document) {
   if (elements.empty() || own == elements.end() || own + 1 == elements.end()) return "";
   const Document& distance = mesh.at("distance").at(static_cast<std::size_t>(own - elements.begin()));
   if (!distance.is_number() || !(distance.get<double>() > 0)) return "";
-  return fmt::format("; the mesh itself is {} m from that of {} elements over {} s",
+  return fmt::format("the mesh itself is {} m from that of {} elements over {} s",
                      number(distance.get<double>()), elements.back(), number(study.at("end").get<double>()));
 }
 

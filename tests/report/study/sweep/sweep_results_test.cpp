@@ -51,10 +51,11 @@ constexpr VerdictStatus passed = VerdictStatus::passed, failed = VerdictStatus::
 TEST(SweepReport, SaysWhatNoneOfTheCasesDoes) {
   const Sweep sweep = made_sweep();
   EXPECT_EQ(statuses(sweep), (std::vector{passed, passed, passed, passed}));
-  EXPECT_EQ(
-      evaluate_sweep(sweep, {}).headline,
-      "Every run tells the truth: of 4 random cases none ends accurate beyond its tolerance, crashes, hangs "
-      "or holds a number that is not finite; with 95 % confidence less than 53 % of such cases do.");
+  EXPECT_EQ(evaluate_sweep(sweep, {}).headline,
+            "Every run tells the truth: of 4 runs of 1 random model none ends accurate beyond its tolerance, "
+            "crashes, hangs "
+            "or holds a number that is not finite; with 95 % confidence less than 95 % of such models have "
+            "one that does.");
   EXPECT_EQ(evaluate_sweep(sweep, {}).counts, "4 of 4 criteria met.");
   for (const SweepRun& run : sweep.runs) EXPECT_EQ(trouble_of(run, sweep.spec.tolerance), "");
 }
@@ -151,7 +152,7 @@ TEST(SweepProgram, StudyMakesItsFolderAndReportSaysTheSameAgain) {
     EXPECT_TRUE(fs::exists(folder / "output/random_sweep_sweep" / name)) << name;
   EXPECT_TRUE(text_in_png(read_text(folder / "output/random_sweep_sweep/figures/sweep_outcomes.png"),
                           renderer_keyword, "figure"));
-  EXPECT_NE(ended.err.find("of 24 random cases none ends"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("of 24 runs of 3 random models none ends"), std::string::npos) << ended.err;
   Json first = Json::parse(ended.out);
   const Ended again = plumb_in(folder.path(), {"report", "output/random_sweep_sweep", "-o", "b", "--json"});
   ASSERT_EQ(again.status, 0) << again.err;

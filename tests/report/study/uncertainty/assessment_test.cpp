@@ -36,8 +36,8 @@ TEST(UncertaintyJson, IsReadBackAsItWas) {
 
 TEST(UncertaintySection, SaysEveryPartAndNeverANumberForOneThatIsNotEstimated) {
   const std::string page = uncertainty_on_page().html(uncertainty_json(made_uncertainty()), {});
-  expect_all_in(page, {"0 of 1 comparison stay within their uncertainty, 2 u ≥ 0.01 m at most, at all times; "
-                       "known: tip.y is beyond it most often, at 33 % of them."});
+  expect_all_in(page, {"0 of 1 comparison stay within their uncertainty (2 u ≥ 0.01 m at most) at all times; "
+                       "known: tip.y is beyond it most often, at 33 % of the times."});
   EXPECT_LT(page.find("0 of 1 comparison"), page.find("After ")) << "the answer is first";
   expect_all_in(page,
                 {"known: tip.y", ">-0.1<", ">0.003<", ">0.004<", ">≥ 0.005<", ">≥ 0.01<", "67 %",
