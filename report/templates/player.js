@@ -70,7 +70,9 @@
   const timeOf = (k) => Math.min(k / data.frame_rate, clock.end);
   const frameAt = (time) => Math.min(Math.round(time * data.frame_rate), last);
 
-  const canvas = make("canvas", { width: moving.width, height: moving.height, role: "img" });
+  // Of the frames' own size; the page scales it.
+  const size = new DataView(header.buffer, header.byteOffset);
+  const canvas = make("canvas", { width: size.getUint32(0), height: size.getUint32(4), role: "img" });
   const slider = make("input", { type: "range", min: 0, max: last, step: 1, value: 0, id: "player-time" });
   slider.setAttribute("aria-label", "Time of the animation");
   const play = button("Play", () => (playing ? stop() : start()), { className: "play" });
@@ -89,12 +91,15 @@
 
   // ---- showing
 
-  let frame = -1;
+  // What is decoded late is drawn all the same, but never over what was asked for after it.
+  let frame = -1, asked = 0, drawn = 0;
   const show = async (k) => {
     if (k === frame) return;
     frame = k;
+    const turn = ++asked;
     const bitmap = await picture(k);
-    if (k !== frame) return;
+    if (turn < drawn) return;
+    drawn = turn;
     canvas.getContext("2d").drawImage(bitmap, 0, 0);
     canvas.setAttribute("aria-label", `The cable at ${timeOf(k).toFixed(2)} s`);
     canvas.dataset.frame = k;
@@ -151,7 +156,8 @@
   const seen = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;
     seen.disconnect();
-    if (clock.time === 0) start();
+    // From its first frame on, which is there before the others move it on.
+    picture(0).then(() => { if (clock.time === 0) start(); });
   }, { threshold: 0.6 });
   seen.observe(canvas);
 })();

@@ -252,6 +252,39 @@ TEST_F(PageInBrowser, SliderShowsJustTheFrameOfItsPlace) {
   EXPECT_EQ(std::unique(hashes.begin(), hashes.end()), hashes.end()) << "the frames differ";
 }
 
+TEST_F(PageInBrowser, PlayerShowsWholeFramesAtEveryWidth) {
+  const std::vector<std::string> frames = split_apng(read_text(file("run/player.png")), "player.png");
+  const Image first = decode_png(frames.at(0), "frame");
+  for (const int width : {240, 360, 1000, 1400}) {
+    tab().resize(width, 900);
+    open_run();
+    tab().wait_until("document.querySelector('.player canvas').dataset.frame === '0'");
+    EXPECT_EQ(
+        tab().value_of("(({ width, height }) => [width, height])(document.querySelector('.player canvas'))"),
+        Json({first.width, first.height}))
+        << "on a page " << width << " px wide";
+    EXPECT_EQ(tab().value_of(script("hash_of_canvas.js")), hash_of(first))
+        << "on a page " << width << " px wide";
+  }
+}
+
+TEST_F(PageInBrowser, PlayerShowsFramesThatAreDecodedAfterTheirTime) {
+  open_run();
+  tab().wait_until("document.querySelector('.player canvas').dataset.frame === '0'");
+  // A frame lasts 0.08 s, and is decoded in more than two of them; the second one in still more.
+  tab().value_of(
+      "(() => { const real = createImageBitmap; let calls = 0; window.shown = []; "
+      "window.createImageBitmap = async (blob) => { const wait = calls++ === 0 ? 600 : 200; "
+      "await new Promise((done) => setTimeout(done, wait)); return real(blob); }; "
+      "new MutationObserver(() => shown.push(Number(document.querySelector('.player canvas').dataset.frame)))"
+      ".observe(document.querySelector('.player canvas'), { attributeFilter: ['data-frame'] }); "
+      "document.querySelector('.play').click(); })()");
+  tab().wait_until("document.querySelector('.player canvas').dataset.frame === '25'");
+  const auto shown = tab().value_of("shown").get<std::vector<int>>();
+  EXPECT_GT(shown.size(), 3U) << "all but the last were dropped";
+  EXPECT_TRUE(std::is_sorted(shown.begin(), shown.end())) << Json(shown) << ": an older one over a newer one";
+}
+
 TEST_F(PageInBrowser, PointingAtATimeShowsTheNumbersOfTheResultsAndThatFrame) {
   open_run();
   const Json document = results();
