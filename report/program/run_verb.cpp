@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "engine/base/errors.h"
 #include "engine/base/job_runs.h"
 #include "report/document/case_json.h"
 #include "report/document/regression.h"
