@@ -204,6 +204,30 @@ void add_probes(Document& beside, const Document& first, const Document& second)
     if (column != "t" && !one.contains(column)) cannot(beside, column, only_in(beside, false));
 }
 
+std::string with_unit(const Document& value, const std::string& unit) {
+  if (value.is_number_integer()) return std::to_string(value.get<long>()) + unit_after(unit);
+  if (!value.is_number()) return "–";
+  return fmt::format("{:.4g}{}", value.get<double>(), unit_after(unit));
+}
+
+/// "the tolerance of published: mid.y differs, 0.01 m and 0.001 m", or how many differ; empty: none.
+std::string tolerances_in_words(const Document& beside) {
+  std::vector<const Document*> differing;
+  for (const Document& verdict : beside.at("verdicts"))
+    if (verdict.at("first").at("limit") != verdict.at("second").at("limit")) differing.push_back(&verdict);
+  if (differing.empty()) return "";
+  const Document& one = *differing.front();
+  const auto limit = [&](const char* side) {
+    return with_unit(one.at(side).at("limit"), text_of(one, "unit"));
+  };
+  const std::string limits = fmt::format("{} in {} and {} in {}", limit("first"), text_of(beside, "first"),
+                                         limit("second"), text_of(beside, "second"));
+  return differing.size() == 1
+             ? fmt::format("; the tolerance of {} differs, {}", text_of(one, "name"), limits)
+             : fmt::format("; {} tolerances differ, that of {} is {}", differing.size(), text_of(one, "name"),
+                           limits);
+}
+
 std::string headline_of(const Document& beside) {
   const Document &verdicts = beside.at("verdicts"), &probes = beside.at("probes");
   const auto otherwise = std::count_if(verdicts.begin(), verdicts.end(), [](const Document& verdict) {
@@ -212,10 +236,12 @@ std::string headline_of(const Document& beside) {
   std::string text =
       verdicts.empty() ? std::string("They have no criterion in common")
       : otherwise == 0
-          ? fmt::format(
-                "{} that both have ended alike",
-                verdicts.size() == 1 ? "The one criterion" : fmt::format("All {} criteria", verdicts.size()))
-          : fmt::format("{} of {} criteria that both have ended otherwise", otherwise, verdicts.size());
+          ? fmt::format("{} alike", verdicts.size() == 1
+                                        ? "The one shared criterion ends"
+                                        : fmt::format("All {} shared criteria end", verdicts.size()))
+          : fmt::format("{} of {} shared criteria {} differently", otherwise, verdicts.size(),
+                        otherwise == 1 ? "ends" : "end");
+  text += tolerances_in_words(beside);
   const auto share = [](const Document& probe) {
     const double largest = probe.at("largest").get<double>();
     return probe.at("greatest").get<double>() / (largest > 0 ? largest : 1);
@@ -224,23 +250,17 @@ std::string headline_of(const Document& beside) {
       std::max_element(probes.begin(), probes.end(),
                        [&](const Document& a, const Document& b) { return share(a) < share(b); });
   if (farthest == probes.end())
-    text += "; no probe is in both";
+    text += "; no curve is in both";
   else if (farthest->at("greatest") == 0)
-    text += "; all their common probes are the same";
+    text += probes.size() == 1 ? "; the one shared curve is identical" : "; all curves are identical";
   else
-    text += fmt::format("; of their common probes {} is farthest apart, {:.3g}{} at {:.4g} s",
+    text += fmt::format("; of the shared curves {} is farthest apart, {:.3g}{} at {:.4g} s",
                         text_of(*farthest, "column"), farthest->at("greatest").get<double>(),
                         unit_after(text_of(*farthest, "unit")), farthest->at("time").get<double>());
   const std::size_t left = beside.at("not_compared").size();
   if (left > 0)
     text += fmt::format("; {} cannot be compared", counted(static_cast<long>(left), "thing", "things"));
   return text + ".";
-}
-
-std::string with_unit(const Document& value, const std::string& unit) {
-  if (value.is_number_integer()) return std::to_string(value.get<long>()) + unit_after(unit);
-  if (!value.is_number()) return "–";
-  return fmt::format("{:.4g}{}", value.get<double>(), unit_after(unit));
 }
 
 /// "+1.2 m", or "the same".
@@ -308,6 +328,9 @@ std::string beside_html(const Document& beside, const std::string& curves,
     row["kind"] = text_of(one, "kind");
     set_side(row, "first", one.at("first"), unit);
     set_side(row, "second", one.at("second"), unit);
+    const std::string limit = with_unit(one.at("first").at("limit"), unit),
+                      other = with_unit(one.at("second").at("limit"), unit);
+    row["allowed"] = limit == other ? limit : fmt::format("{} | {}", limit, other);
     row["difference"] = signed_text(one.at("difference"), unit);
   });
   set("numbers", [](data& row, const Document& one) {

@@ -56,6 +56,7 @@ std::string link_to(const std::string& path) {
 /// What marks an element as one of a report.
 void set_report(data& row, const Document& report) {
   row["folder"] = text_of(report, "folder");
+  row["report"] = text_of(report, "name");
   row["link"] = link_to(text_of(report, "folder"));
   row["state"] = text_of(report, "state");
   row["class"] = class_of_status(text_of(report, "state"));
@@ -188,7 +189,7 @@ data count_rows(const Document& index) {
   return rows;
 }
 
-/// What of a report that failed is to be read first: the criterion that is missed by most, by how much and
+/// What of a report that failed is to be read first: the criterion with the worst miss, by how much and
 /// where, or how the run ended.
 std::string what_failed(const Document& report) {
   const Document* worst = nullptr;
@@ -218,7 +219,7 @@ data group_rows(const Document& index, Thumbnails& thumbnails) {
   struct Group {
     std::string kind, title, evidence;
   };
-  std::vector<Group> groups{{"failed", "Failed first", "What is missed by most, or how the run ended."}};
+  std::vector<Group> groups{{"failed", "Failed first", "The worst miss of each, or how its run ended."}};
   for (const KindText& text : kind_texts)
     groups.push_back({std::string(word(text.kind)), text.title, text.evidence});
   groups.push_back({"", "Not held against anything", ""});
@@ -370,6 +371,7 @@ void set_history(data& page, const Document& index) {
     ++shown;
     data row;
     row["folder"] = text_of(report, "folder");
+    row["report"] = text_of(report, "name");
     row["charts"] = charts;
     rows.push_back(row);
   }
@@ -403,6 +405,7 @@ std::string index_page(const Document& index, const std::vector<Picture>& figure
   const std::string cases = fmt::format("{} report{}", count, count == 1 ? "" : "s");
   page["cases"] = cases;
   page["headline"] = text_of(index, "headline");
+  if (index.contains("beside")) page["beside_headline"] = text_of(index.at("beside"), "headline");
   const auto is_state = [&](const char* state) {
     return [state](const Document& report) { return report.at("state") == state; };
   };

@@ -57,12 +57,13 @@ bool is_bad(const Document& entry) {
 }
 
 /// A run that ended before there was anything to report.
-Document entry_of_none(const IndexedReport& report) {
+Document entry_of_none(const IndexedReport& report, const std::string& name) {
   return {{"folder", report.folder},
+          {"name", name},
           {"state", failed_to_run},
           {"kind", ""},
           {"case", ""},
-          {"title", report.folder},
+          {"title", name},
           {"headline", report.fault.empty() ? "The run left no report."
                                             : fmt::format("The run left no report: {}.", report.fault)},
           {"outcome", "not run"},
@@ -80,11 +81,12 @@ Document entry_of_none(const IndexedReport& report) {
           {"verdicts", Document::array()}};
 }
 
-Document entry(const IndexedReport& report) {
-  if (report.document.is_null()) return entry_of_none(report);
+Document entry(const IndexedReport& report, const std::string& name) {
+  if (report.document.is_null()) return entry_of_none(report, name);
   const Document &document = report.document, &solve = document.at("solve"),
                  &verdicts = document.at("verdicts");
   return {{"folder", report.folder},
+          {"name", name},
           {"state", state_of(document)},
           {"kind", kind_of(verdicts)},
           {"case", document.at("case").at("file")},
@@ -122,7 +124,7 @@ std::string headline(const Document& entries) {
   std::string names;
   long named = 0;
   for (const Document& one : entries)
-    if (is_bad(one) && named++ < most_named) names += (names.empty() ? "" : ", ") + text_of(one, "folder");
+    if (is_bad(one) && named++ < most_named) names += (names.empty() ? "" : ", ") + text_of(one, "name");
   if (failed > most_named) names += fmt::format(" and {} more", failed - most_named);
   return fmt::format("{} of {} reports {} not meet all of {} criteria: {}.", failed, all,
                      failed == 1 ? "does" : "do", failed == 1 ? "its" : "their", names);
@@ -147,9 +149,25 @@ Series difference_of(const Series& first, const Series& second) {
   return series;
 }
 
+std::vector<std::string> report_names(const std::vector<IndexedReport>& reports) {
+  std::vector<std::string> folders;
+  for (const IndexedReport& report : reports) folders.push_back(report.folder);
+  return names_of(folders);
+}
+
 }  // namespace
 
+std::vector<std::string> names_of(const std::vector<std::string>& folders) {
+  constexpr std::string_view up = "../";
+  std::vector<std::string> names = folders;
+  while (!names.empty() && std::all_of(names.begin(), names.end(),
+                                       [&](const std::string& name) { return name.starts_with(up); }))
+    for (std::string& name : names) name.erase(0, up.size());
+  return names;
+}
+
 std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
+  const std::vector<std::string> names = report_names(reports);
   // Columns in the order of the first report that has them, with their unit.
   std::vector<std::pair<std::string, std::string>> columns;
   for (const IndexedReport& report : reports) {
@@ -165,12 +183,13 @@ std::vector<Figure> shared_figures(const std::vector<IndexedReport>& reports) {
     Panel panel;
     panel.x.label = "time [s]";
     panel.y.label = fmt::format("{} [{}]", literal(name), unit_markup(unit));
-    for (const IndexedReport& report : reports) {
+    for (std::size_t k = 0; k < reports.size(); ++k) {
+      const IndexedReport& report = reports[k];
       if (report.document.is_null()) continue;
       const Document& probes = report.document.at("probes");
       if (!probes.contains(name) || probes[name].at("unit") != unit) continue;
       Series series;
-      series.label = literal(report.folder);
+      series.label = literal(names[k]);
       const Document &times = probes.at("t").at("values"), &values = probes[name].at("values");
       for (std::size_t i = 0; i < values.size() && i < times.size(); ++i) {
         if (!values[i].is_number()) continue;
@@ -224,10 +243,12 @@ IndexedReport indexed(const std::string& folder, const Document& document) {
 
 Document index_of(const std::vector<IndexedReport>& reports, const std::vector<Picture>& figures,
                   std::size_t at_once, const History& history) {
+  const std::vector<std::string> names = report_names(reports);
   std::vector<Document> entries;
   Document comparisons = Document::array();
-  for (const IndexedReport& report : reports) {
-    Document one = entry(report);
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    const IndexedReport& report = reports[k];
+    Document one = entry(report, names[k]);
     if (!report.document.is_null())
       for (const Document& comparison : report.document.at("comparisons")) comparisons.push_back(comparison);
     if (!history.entries.empty())
@@ -285,7 +306,7 @@ std::string index_summary(const Document& index) {
   const std::size_t room = longest_summary - for_the_end - summary.size();
   const auto row_within = [](const Document& one, std::size_t most) {
     std::string row = fmt::format(
-        "| {} | {} | {} | {} | {} | ", escape_markdown(text_of(one, "folder"), longest_text),
+        "| {} | {} | {} | {} | {} | ", escape_markdown(text_of(one, "name"), longest_text),
         is_bad(one) ? fmt::format("**{}**", escape_markdown(text_of(one, "outcome")))
                     : escape_markdown(text_of(one, rank(one) > 3 ? "state" : "outcome")),
         one.at("criteria").get<long>(), one.at("failed").get<long>(), one.at("not_run").get<long>());

@@ -19,6 +19,10 @@ struct IndexedReport {
   std::string thumbnail = {};  ///< PNG of what it shows; may be empty
 };
 
+/// What reports are called by their folders, seen from an index: without the leading "../" that all of them
+/// have, so that no two are called alike.
+std::vector<std::string> names_of(const std::vector<std::string>& folders);
+
 /// A report without what no index needs, such as its figures and energies: many of them have to be kept. Its
 /// `errors` become `comparisons`, as comparisons_of() has them.
 IndexedReport indexed(const std::string& folder, const Document& document);

@@ -43,7 +43,8 @@ std::string how_far(const Verdict& verdict) {
   if (!std::isfinite(verdict.value)) return "no finite number was found";
   std::string text = fmt::format("{}{} found, {}{} allowed", four_digits(verdict.value), unit,
                                  four_digits(verdict.limit), unit);
-  if (verdict.limit > 0) text += fmt::format(": {:.3g} times as much", verdict.value / verdict.limit);
+  if (verdict.limit > 0)
+    text += fmt::format(": {} times as much", four_digits(verdict.value / verdict.limit));
   return text;
 }
 
@@ -56,7 +57,10 @@ void set_frame(data& values, const Pictures& pictures, double time) {
   const double place = std::clamp(std::round(time * pictures.player_frame_rate), 0.0, last);
   values["has_frame"] = true;
   values["frame"] = data_uri(frames[static_cast<std::size_t>(place)]);
-  values["frame_time"] = fmt::format("{:.4g}", place / pictures.player_frame_rate);
+  const std::string shown = fmt::format("{:.4g}", place / pictures.player_frame_rate),
+                    wished = fmt::format("{:.4g}", time);
+  values["frame_time"] = shown;
+  values["stands_for"] = shown == wished ? data(false) : data(wished);
   values["width"] = std::to_string(pictures.page_animation_width);
   values["height"] = std::to_string(pictures.page_animation_height);
 }
@@ -69,17 +73,21 @@ std::string first_failure_html(const Document& document, const Pictures& picture
     const Document& solve = document.at("solve");
     const double end = solve.at("end_time").get<double>();
     values["title"] = fmt::format("How it ended: {}", solve.at("outcome").get<std::string>());
-    values["what"] = fmt::format("The run came to {:.4g} s; the picture is the last frame before that.", end);
     set_frame(values, pictures, end);
     // The headline says the rest.
     if (!values["has_frame"].is_true()) return "";
+    const std::string shown = values["frame_time"].string_value();
+    values["what"] =
+        fmt::format("The run broke off at {:.4g} s; the picture is the last one of it, at {} s{}.", end,
+                    shown, shown == "0" ? ", its start" : "");
+    values["stands_for"] = false;
     return fill_in(first_failure_mustache, values);
   }
   const std::vector<Verdict> failed = failed_first(document);
   if (failed.empty()) return "";
   const Verdict& first = failed.front();
   const bool moved = first.kind == VerdictKind::regression;
-  values["title"] = moved ? "What moved" : "What is missed by most";
+  values["title"] = moved ? "What moved" : "The worst miss";
   values["name"] = first.name;
   values["what"] = how_far(first) + ".";
   values["detail"] = first.detail;

@@ -97,7 +97,8 @@ Document report_at(const fs::path& folder) {
 
 /// Where what both have cannot be read, it is said among what cannot be compared.
 Beside beside_one_another(const FoundReport& first, const FoundReport& second) {
-  Beside beside{beside_of(first.document, first.seen, second.document, second.seen)};
+  const std::vector<std::string> names = names_of(std::vector{first.seen, second.seen});
+  Beside beside{beside_of(first.document, names[0], second.document, names[1])};
   const auto add = [&](const std::string& name, const std::string& title) {
     PicturePair pair{title, picture_in(first.folder, name), picture_in(second.folder, name)};
     if (!pair.first.empty() && !pair.second.empty())

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/figure/number_markup.h"
+#include "report/study/variants/variants_results.h"
 
 namespace plumb {
 namespace {
@@ -34,7 +35,7 @@ void add_line(std::size_t index, const VariantResult& variant, std::vector<doubl
   end.x = {line.x.back()};
   end.y = {line.y.back()};
   panel.series.push_back(std::move(line));
-  if (variant.trajectory.outcome != Outcome::completed) panel.series.push_back(std::move(end));
+  if (ended_early(variant)) panel.series.push_back(std::move(end));
 }
 
 /// Something to hold the change of the energy against in every variant.
@@ -61,7 +62,7 @@ int height_for(const Variants& study) {
 std::string ends_in_words(const Variants& study) {
   std::string text;
   for (const VariantResult& variant : study.variants) {
-    if (variant.trajectory.outcome == Outcome::completed) continue;
+    if (!ended_early(variant)) continue;
     text += fmt::format("{}{} at {:.4g} s ({})", text.empty() ? " Ended early: " : ", ", variant.spec.name,
                         variant.trajectory.end_time, word(variant.trajectory.outcome));
   }

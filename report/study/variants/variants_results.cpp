@@ -81,6 +81,20 @@ std::string counts_of(const std::vector<VariantResult>& variants) {
   return fmt::format("{}: {}.", counted(std::ssize(variants), "variant", "variants"), ends);
 }
 
+/// What is said where all `expected` variants that something is expected of end so.
+std::string as_expected(const std::vector<VariantResult>& variants, std::size_t expected) {
+  bool fails = false, holds = false;
+  for (const VariantResult& variant : variants)
+    if (variant.spec.expects_anything()) (ended_early(variant) ? fails : holds) = true;
+  const std::string which = expected == variants.size() ? "" : " with an expectation";
+  const std::string all = expected == 1 ? fmt::format("the one variant{}", which)
+                                        : fmt::format("all {} variants{}", expected, which);
+  const bool one = expected == 1;
+  if (!fails) return fmt::format("As expected, {} {} to the end.", all, one ? "runs" : "run");
+  return fmt::format("It {} where it should: {} {} as expected.", holds ? "fails and holds" : "fails", all,
+                     one ? "ends" : "end");
+}
+
 /// Whether they end as expected, and how close it is.
 void conclude(StudyReport& report, const std::vector<VariantResult>& variants) {
   const std::vector<Verdict>& verdicts = report.verdicts;
@@ -102,10 +116,7 @@ void conclude(StudyReport& report, const std::vector<VariantResult>& variants) {
     report.details =
         fmt::format("{} was expected to be {}, and is {}.", others.front(), first->criterion, first->message);
   } else {
-    report.headline = fmt::format("It fails and holds where it should: {} as expected{}.",
-                                  verdicts.size() == 1 ? std::string("the one variant ends")
-                                                       : fmt::format("all {} variants end", verdicts.size()),
-                                  verdicts.size() == variants.size() ? "" : " of which something is");
+    report.headline = as_expected(variants, verdicts.size());
     if (closest->value > 0)
       report.details = fmt::format(
           "Every figure known of them is met; the closest, of \"{}\", uses {:.2g} % of its margin.",
@@ -145,6 +156,10 @@ Document variant_json(const VariantResult& variant) {
 
 }  // namespace
 
+bool ended_early(const VariantResult& variant) {
+  return variant.trajectory.outcome != Outcome::completed;
+}
+
 std::string with_margin(double value, double within) {
   return fmt::format("{} ± {:.2g}", to_margin(value, within), within);
 }
@@ -174,7 +189,9 @@ std::string found_in_words(const VariantResult& variant) {
 
 StudyReport evaluate_variants(const VariantsStudy& study, const Stages& stages) {
   const std::vector<VariantResult>& variants = study.result.variants;
-  StudyReport report{study.loaded, "where it fails", study.result.provenance, {}, stages};
+  const bool any_early = std::any_of(variants.begin(), variants.end(), ended_early);
+  StudyReport report{
+      study.loaded, any_early ? "where it fails" : "variants compared", study.result.provenance, {}, stages};
   JunitSuite suite{std::string(word(VerdictKind::verification)), {}};
   Document& all = report.results["variants"] = Document::array();
   for (const VariantResult& variant : variants) {

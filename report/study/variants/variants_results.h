@@ -15,6 +15,9 @@ StudyReport evaluate_variants(const VariantsStudy& study, const Stages& stages);
 /// The variants on their page, with these pictures.
 StudySection shown_variants(const Variants& study, const std::vector<Picture>& pictures);
 
+/// Whether a variant's run ended before its time.
+bool ended_early(const VariantResult& variant);
+
 /// What a variant is expected to do, in words: "unstable; end-time 1.2 ± 0.05 s".
 std::string expected_in_words(const VariantResult& variant);
 /// What it did: "unstable; end-time 1.2 s".

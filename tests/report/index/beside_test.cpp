@@ -36,7 +36,8 @@ TEST(Beside, ReportsThatAreTheSameDifferInNothing) {
   for (const Document& verdict : beside.at("verdicts")) EXPECT_EQ(verdict.at("first"), verdict.at("second"));
   ASSERT_FALSE(beside.at("probes").empty());
   for (const Document& probe : beside.at("probes")) EXPECT_EQ(probe.at("greatest"), 0) << probe;
-  EXPECT_NE(text_of(beside, "headline").find("ended alike"), std::string::npos) << beside.at("headline");
+  EXPECT_NE(text_of(beside, "headline").find("alike; all curves are identical."), std::string::npos)
+      << beside.at("headline");
 }
 
 TEST(Beside, VerdictsAndNumbersHaveTheirDifferences) {
@@ -51,12 +52,27 @@ TEST(Beside, VerdictsAndNumbersHaveTheirDifferences) {
   const Document beside = beside_of(first, "a", second, "b");
   EXPECT_NEAR(beside.at("verdicts").at(0).at("difference").get<double>(), 0.25, 1e-12);
   EXPECT_NE(text_of(beside, "headline").find("1 of"), std::string::npos) << beside.at("headline");
+  EXPECT_NE(text_of(beside, "headline").find("ends differently"), std::string::npos) << beside.at("headline");
+  EXPECT_EQ(text_of(beside, "headline").find("tolerance"), std::string::npos) << beside.at("headline");
   const Document* steps = found(beside.at("numbers"), "name", "steps");
   ASSERT_NE(steps, nullptr) << beside.at("numbers");
   EXPECT_EQ(steps->at("difference"), 7) << *steps;
   const Document* elements = found(beside.at("case"), "what", "cable.elements");
   ASSERT_NE(elements, nullptr) << beside.at("case");
   EXPECT_EQ(elements->at("now"), "99");
+}
+
+TEST(Beside, TolerancesThatDifferAreInTheHeadlineAndTheTable) {
+  const Document first = made();
+  Document second = made();
+  second["verdicts"][0]["limit"] = 0.375;
+  const Document beside = beside_of(first, "a", second, "b");
+  const std::string headline = text_of(beside, "headline"),
+                    name = text_of(first.at("verdicts").at(0), "name");
+  EXPECT_NE(headline.find("; the tolerance of " + name + " differs, "), std::string::npos) << headline;
+  EXPECT_NE(headline.find(" in a and 0.375"), std::string::npos) << headline;
+  const std::string html = beside_html(beside, "", {}, 0);
+  EXPECT_NE(html.find(" | 0.375"), std::string::npos) << html;
 }
 
 TEST(Beside, RunsWithOtherOutputTimesAreComparedWhereTheyOverlap) {

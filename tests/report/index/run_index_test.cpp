@@ -55,6 +55,21 @@ TEST(RunIndex, WhatFailedIsFirstAndWhatNothingWasSaidOfIsLast) {
       << index.at("headline");
 }
 
+TEST(RunIndex, NamesAreFoldersWithoutWhatLeadsToThemAll) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names_of(Names{"../../a/run", "../../b"}), (Names{"a/run", "b"}));
+  EXPECT_EQ(names_of(Names{"../run", "run"}), (Names{"../run", "run"})) << "they would be called alike";
+  EXPECT_EQ(names_of(Names{"..", "../run"}), (Names{"..", "../run"}));
+  EXPECT_EQ(names_of(Names{}), Names{});
+  const std::vector<IndexedReport> reports{report_with("../good", "passed"), report_with("../bad", "failed")};
+  const Document index = index_of(reports, {});
+  EXPECT_TRUE(says(index.at("headline"), ": bad.")) << index.at("headline");
+  EXPECT_EQ(state(index, "../bad"), "failed");
+  const std::string page = index_page(index, {}, reports);
+  EXPECT_TRUE(says(page, ">good</a>")) << page;
+  EXPECT_TRUE(says(page, "href=\"../good/index.html\"")) << page;
+}
+
 TEST(RunIndex, IsGreenOnlyWhereSomethingPassedAndGreyWhereNothingWasJudged) {
   const auto page_of = [](const std::vector<IndexedReport>& reports) {
     return index_page(index_of(reports, {}), {}, reports);

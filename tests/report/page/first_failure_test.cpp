@@ -48,7 +48,8 @@ TEST(FirstFailure, ShowsTheCriterionAndTheFrameOfItsTime) {
   document["verdicts"][0]["time"] = 0.34;
   const std::string earlier = first_failure_html(document, made.pictures);
   EXPECT_NE(earlier.find(made.uri(3)), html.npos);
-  EXPECT_NE(earlier.find("The cable at 0.3 s"), html.npos);
+  EXPECT_NE(earlier.find("The cable at 0.3 s, the frame next to 0.34 s."), html.npos) << earlier;
+  EXPECT_EQ(html.find("the frame next to"), html.npos) << html;
   document["verdicts"][0]["time"] = -1;
   EXPECT_EQ(first_failure_html(document, made.pictures).find("<img"), html.npos) << "of no one time";
 }
@@ -85,6 +86,12 @@ TEST(FirstFailure, OfARunThatEndedShowsItsLastFrame) {
   const std::string html = first_failure_html(document, made.pictures);
   EXPECT_NE(html.find("How it ended: unstable"), html.npos) << html;
   EXPECT_NE(html.find(made.uri(5)), html.npos);
+  EXPECT_NE(html.find("broke off at 0.5 s; the picture is the last one of it, at 0.5 s."), html.npos) << html;
+  run.trajectory.end_time = 0.04;
+  const std::string start = first_failure_html(document_of(evaluate(run, {}), {}), made.pictures);
+  EXPECT_NE(start.find("broke off at 0.04 s; the picture is the last one of it, at 0 s, its start."),
+            html.npos)
+      << start;
   EXPECT_EQ(first_failure_html(document, {}), "") << "the headline says the rest";
 }
 

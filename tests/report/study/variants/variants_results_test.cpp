@@ -57,9 +57,33 @@ TEST(VariantsResults, WhereAllIsAsExpectedSayHowCloseItIs) {
   const VariantsStudy study =
       study_of({made("0.1", Outcome::unstable, 1.21), made("0.2", Outcome::unstable, 1.24)});
   const StudyReport results = evaluate_variants(study, {});
-  EXPECT_EQ(results.headline, "It fails and holds where it should: all 2 variants end as expected.");
+  EXPECT_EQ(results.headline, "It fails where it should: all 2 variants end as expected.");
   EXPECT_EQ(results.details,
             "Every figure known of them is met; the closest, of \"0.2\", uses 80 % of its margin.");
+}
+
+TEST(VariantsResults, SaysOfFailuresOnlyWhereThereAreSome) {
+  VariantResult holds = made("0.2", Outcome::completed, 1.2);
+  holds.spec.outcome = "completed";
+  const StudyReport both = evaluate_variants(study_of({made("0.1", Outcome::unstable, 1.2), holds}), {});
+  EXPECT_EQ(both.headline, "It fails and holds where it should: all 2 variants end as expected.");
+  EXPECT_EQ(both.subject, "where it fails");
+  const VariantsStudy completed = study_of({holds, holds});
+  const StudyReport results = evaluate_variants(completed, {});
+  EXPECT_EQ(results.headline, "As expected, all 2 variants run to the end.");
+  EXPECT_EQ(results.subject, "variants compared");
+  const std::vector<Picture> pictures{{"figures/a.png", "Energy", "Alt", false, "P"}};
+  const std::string page = to_page(results, shown_variants(completed.result, pictures));
+  for (const char* text : {"fail", "What it said", "nothing expected of it", "A cross is"})
+    EXPECT_EQ(page.substr(page.find("<main")).find(text), std::string::npos) << text << "\n" << page;
+  VariantResult free = holds;
+  free.spec.outcome.clear();
+  free.spec.expectations.clear();
+  free.expectations.clear();
+  const VariantsStudy one = study_of({holds, free});
+  EXPECT_EQ(evaluate_variants(one, {}).headline,
+            "As expected, the one variant with an expectation runs to the end.");
+  EXPECT_NE(shown_variants(one.result, {}).html.find("nothing expected of it"), std::string::npos);
 }
 
 TEST(VariantsResults, ANumberThatIsMissingFails) {
