@@ -110,7 +110,7 @@ std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingToo
 std::vector<Picture> draw_for_page(const std::vector<Figure>& figures, DrawingTools& tools,
                                    const std::string& title, OutputFolder& folder) {
   // With these a page of a study stays below 5 MB, as base64 makes four bytes of three.
-  constexpr std::size_t most_bytes = 2'300'000;
+  constexpr std::size_t most_bytes = 2'150'000;
   std::vector<Picture> pictures = drawn(figures, tools, title, true, true);
   write(pictures, figures, folder);
   std::vector<Figure> dark = figures;
