@@ -101,8 +101,8 @@ std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTo
 }
 
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
-                                  const std::string& title, OutputFolder& folder) {
-  std::vector<Picture> pictures = drawn(figures, tools, title, true, true);
+                                  const std::string& title, OutputFolder& folder, bool for_page) {
+  std::vector<Picture> pictures = drawn(figures, tools, title, true, for_page);
   write(pictures, figures, folder);
   return pictures;
 }
@@ -111,8 +111,7 @@ std::vector<Picture> draw_for_page(const std::vector<Figure>& figures, DrawingTo
                                    const std::string& title, OutputFolder& folder) {
   // With these a page of a study stays below 5 MB, as base64 makes four bytes of three.
   constexpr std::size_t most_bytes = 2'150'000;
-  std::vector<Picture> pictures = drawn(figures, tools, title, true, true);
-  write(pictures, figures, folder);
+  std::vector<Picture> pictures = draw_figures(figures, tools, title, folder);
   std::vector<Figure> dark = figures;
   for (Figure& figure : dark) figure.plot.theme = SceneTheme::dark;
   const std::vector<Picture> on_dark = drawn(dark, tools, title, false, true);

@@ -72,10 +72,11 @@ struct DrawingTools {
 std::vector<Picture> drawn_figures(const std::vector<Figure>& figures, DrawingTools& tools,
                                    const std::string& title);
 
-/// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv. Throws OutputError
-/// when drawing or writing fails, Interrupted when the user stops it.
+/// Draws figures into a folder: figures/*.png, and their series as numbers, figures/*.csv; with what a page
+/// shows of them, unless they are on none. Throws OutputError when drawing or writing fails, Interrupted when
+/// the user stops it.
 std::vector<Picture> draw_figures(const std::vector<Figure>& figures, DrawingTools& tools,
-                                  const std::string& title, OutputFolder& folder);
+                                  const std::string& title, OutputFolder& folder, bool for_page = true);
 
 /// Draws figures as draw_figures does, and for a page on light and on dark paper in few colours: those that
 /// there is room for have both.

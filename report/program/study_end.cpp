@@ -25,7 +25,7 @@ ExitStatus report_on(const MadeStudy& study, OutputFolder& folder, Stages& stage
   folder.write(name, bytes);
   stages.begin("figures");
   DrawingTools tools;
-  draw_figures(study.figures_beside(), tools, study.title(), folder);
+  draw_figures(study.figures_beside(), tools, study.title(), folder, false);
   const std::vector<Picture> pictures = draw_for_page(study.figures(), tools, study.title(), folder);
   stages.end();
   const StudyReport report = study.report(stages);
